@@ -3,7 +3,6 @@
 
 #include "input/binary.h"
 #include "input/mesh_readers.h"
-#include "system/refusal.h"
 
 #include <cstdint>
 

@@ -5,14 +5,10 @@
 #include "input/compression.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
-#include "input/vertex_data.h"
 #include "input/xml.h"
-#include "system/refusal.h"
 
-#include <cmath>
 #include <limits>
 #include <set>
-#include <utility>
 
 namespace tool {
 namespace {

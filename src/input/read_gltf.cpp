@@ -8,19 +8,16 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/welded_points.h"
-#include "system/refusal.h"
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <system_error>
-#include <utility>
 
 namespace tool {
 namespace {

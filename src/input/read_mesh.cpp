@@ -6,7 +6,6 @@
 #include "input/compression.h"
 #include "input/files.h"
 #include "input/mesh_format.h"
-#include "input/mesh_readers.h"
 #include "system/refusal.h"
 
 #include <CGAL/tags.h>

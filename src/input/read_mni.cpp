@@ -3,10 +3,8 @@
 
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
-#include "system/refusal.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace tool {
 namespace {

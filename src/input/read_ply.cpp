@@ -4,17 +4,14 @@
 #include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
-#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <sstream>
-#include <utility>
 
 namespace tool {
 namespace {

@@ -9,15 +9,11 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/xml.h"
-#include "system/refusal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
-#include <utility>
 
 namespace tool {
 namespace {

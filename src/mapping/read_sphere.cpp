@@ -3,7 +3,6 @@
 
 #include "mapping/spherical_map.h"
 
-#include "input/mesh.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
@@ -11,12 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
-#include <string>
 #include <tuple>
-#include <variant>
-#include <vector>
 
 namespace tool {
 namespace {

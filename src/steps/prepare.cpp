@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <set>
 #include <sstream>
 
 namespace tool {

@@ -14,11 +14,9 @@
 #include <filesystem>
 #include <iomanip>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace tool {
 namespace {

@@ -12,8 +12,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <set>
 
 namespace tool {
 namespace {

@@ -187,29 +187,25 @@ Registration_options to_register(const Mapping_options& options, const std::stri
 
 void add_registration_options(Options& all, Registration_options& options)
 {
-  all.add(
-    "--landmarks", options.landmarks,
-    "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
-    "moved onto each other where this flips no face; three or more pairs also determine the rotation of the sphere");
-  all
-    .add("--motion", options.motion,
-         "How the map of A may be moved: rotation, moebius (for conformal maps), or deformation")
+  all("--landmarks", options.landmarks,
+      "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
+      "moved onto each other where this flips no face; three or more pairs also determine the rotation of the sphere");
+  all("--motion", options.motion,
+      "How the map of A may be moved: rotation, moebius (for conformal maps), or deformation")
     .of({"rotation", "moebius", "deformation"});
   const auto add_weight = [&all](const char* name, double& weight, const char* what) -> Option& {
-    return all.add(name, weight, std::string("Deformation: weight of ") + what).in("[0,1000000]");
+    return all(name, weight, std::string("Deformation: weight of ") + what).in("[0,1000000]");
   };
   SP::Registration& registration = options.registration;
   add_weight("--curvature-weight", registration.curvature_weight, "the mean curvature");
-  all
-    .add("--features", options.features,
-         "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
-         "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that "
-         "--prepare adds get the means of their neighbours")
+  all("--features", options.features,
+      "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
+      "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that "
+      "--prepare adds get the means of their neighbours")
     .times(2);
-  all
-    .add("--feature-weight", options.feature_weights,
-         "Deformation: weight of the features, or of each column as W,W,...; with --curvature-weight 0 the features "
-         "replace the curvature")
+  all("--feature-weight", options.feature_weights,
+      "Deformation: weight of the features, or of each column as W,W,...; with --curvature-weight 0 the features "
+      "replace the curvature")
     .is("W")
     .only_with("--features");
   add_weight("--stretch-weight", registration.stretch_weight,

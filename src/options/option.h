@@ -81,8 +81,9 @@ public:
   /// Options that are added from now on have this heading.
   void begin_group(const char* name) { group_ = name; }
 
+  /// Adds one, as in `options("-k,--number", number, "How many there are").in("[1,100]")`.
   template <class T>
-  Option& add(const std::string& names, T& value, const std::string& description)
+  Option& operator()(const std::string& names, T& value, const std::string& description)
   {
     return all_.emplace_back(Option{names, &value, description, group_});
   }

@@ -419,23 +419,21 @@ Work atlas_work()
   const auto own = std::make_shared<Atlas_options>();
   Work work = {[own](Run& run) { Atlas(*own, run).run(); }};
   Options& options = work.options;
-  options.add("--template", own->template_mesh,
-              "The mesh to which all are registered first: one of IN or another one [the first of IN that has a map]");
-  options
-    .add("--rounds", own->rounds,
-         "Number of rounds of registration; from the second round on, the template is the mean of the round before")
+  options("--template", own->template_mesh,
+          "The mesh to which all are registered first: one of IN or another one [the first of IN that has a map]");
+  options("--rounds", own->rounds,
+          "Number of rounds of registration; from the second round on, the template is the mean of the round before")
     .in("[1,100]");
-  options.add("--faces", own->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
+  options("--faces", own->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
     .of({"icosphere", "template"});
-  options.add("--level", own->level, "The icosphere has 10 * 4^LEVEL + 2 vertices")
+  options("--level", own->level, "The icosphere has 10 * 4^LEVEL + 2 vertices")
     .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
-  options
-    .add("--align", own->placement,
-         "What is removed before shapes are compared: none (nothing), centre (translations), rigid (rotations, too: "
-         "generalized Procrustes alignment), similarity (sizes, too)")
+  options("--align", own->placement,
+          "What is removed before shapes are compared: none (nothing), centre (translations), rigid (rotations, too: "
+          "generalized Procrustes alignment), similarity (sizes, too)")
     .of({"none", "centre", "rigid", "similarity"});
-  options.add("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
-  options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
+  options("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
+  options("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
   work.reads = [own](const Request&) { return Work::Files{{"--template", own->template_mesh}}; };
   work.writes = [own](const Request& request) {
     Work::Files files;

@@ -99,8 +99,7 @@ Work certify_work()
     run.options.triangulate = *triangulates;
     certify(run);
   }};
-  work.options.add("--triangulate", *triangulates,
-                   "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");
+  work.options("--triangulate", *triangulates, "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");
   return work;
 }
 

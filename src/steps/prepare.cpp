@@ -293,26 +293,23 @@ Work prepare_work()
   const auto own = std::make_shared<Prepare_options>();
   Work work = {[own](Run& run) { prepare_and_say(*own, run); }};
   Options& options = work.options;
-  options
-    .add(
-      "--steps", own->steps,
-      "What is done, separated by commas: merge (merge boundary vertices at the same position), orient (always done, "
-      "like removing invalid faces, and cutting non-manifold parts from each other), largest or split (keep the "
-      "component of largest area, or write each component as OUT_1, OUT_2, ..., none of which may exist), degenerate "
-      "(remove faces of area 0, which 'map' does not need), holes (fill holes), handles (cut handles of components "
-      "without holes, and close them). merge,orient alone does not change the shape, and is what 'map --prepare' does")
+  options(
+    "--steps", own->steps,
+    "What is done, separated by commas: merge (merge boundary vertices at the same position), orient (always done, "
+    "like removing invalid faces, and cutting non-manifold parts from each other), largest or split (keep the "
+    "component of largest area, or write each component as OUT_1, OUT_2, ..., none of which may exist), degenerate "
+    "(remove faces of area 0, which 'map' does not need), holes (fill holes), handles (cut handles of components "
+    "without holes, and close them). merge,orient alone does not change the shape, and is what 'map --prepare' does")
     .is("LIST");
-  options
-    .add("--merge-distance", own->merge_distance,
-         "Merge boundary vertices up to this distance, not only those at the same position [0]")
+  options("--merge-distance", own->merge_distance,
+          "Merge boundary vertices up to this distance, not only those at the same position [0]")
     .in("[0,inf)");
-  options.add("--wrap", own->wrap, "First replace the mesh, however broken it is, by a surface around it");
-  options
-    .add("--alpha", own->wrap_settings.alpha,
-         "Wrap: cavities that a ball of this radius cannot enter are filled [diagonal / 50]")
+  options("--wrap", own->wrap, "First replace the mesh, however broken it is, by a surface around it");
+  options("--alpha", own->wrap_settings.alpha,
+          "Wrap: cavities that a ball of this radius cannot enter are filled [diagonal / 50]")
     .in("(0,inf)")
     .only_with("--wrap");
-  options.add("--offset", own->wrap_settings.offset, "Wrap: distance of the surface from the mesh [diagonal / 1500]")
+  options("--offset", own->wrap_settings.offset, "Wrap: distance of the surface from the mesh [diagonal / 1500]")
     .in("(0,inf)")
     .only_with("--wrap");
   work.check = [own](const Request& request) { check_options(*own, request); };

@@ -133,24 +133,22 @@ Work resample_work()
 {
   const auto own = std::make_shared<Resample_options>();
   Work work = {[own](Run& run) { resample(*own, run); }};
-  work.options.add("--level", own->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
+  Options& options = work.options;
+  options("--level", own->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
     .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
-  work.options.add("--to-sphere", own->sphere,
-                   "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the "
-                   "map of IN has to be registered to it, as --output-sphere of 'register' is");
-  work.options
-    .add("--data-weights", own->weights,
-         "How values of --data are resampled: linearly in a face of IN, or such that every vertex of IN contributes in "
-         "proportion to its area, even if the new mesh is coarser")
+  options("--to-sphere", own->sphere,
+          "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the map of IN "
+          "has to be registered to it, as --output-sphere of 'register' is");
+  options("--data-weights", own->weights,
+          "How values of --data are resampled: linearly in a face of IN, or such that every vertex of IN contributes "
+          "in proportion to its area, even if the new mesh is coarser")
     .of({"linear", "area-preserving"});
-  work.options
-    .add("--area-surfaces", own->areas,
-         "Two surfaces that give the areas: one with the vertices of IN, one with the new vertices [IN, the output]")
+  options("--area-surfaces", own->areas,
+          "Two surfaces that give the areas: one with the vertices of IN, one with the new vertices [IN, the output]")
     .times(2)
     .only_with("--data-weights", {"area-preserving"});
-  work.options
-    .add("--data-labels", own->labels,
-         "Labels of --data: the label with the largest sum of weights, or that of the vertex with the largest weight")
+  options("--data-labels", own->labels,
+          "Labels of --data: the label with the largest sum of weights, or that of the vertex with the largest weight")
     .of({"majority", "nearest"});
   work.check = [own](const Request& request) {
     require(own->sphere.empty() || !request.has("--level"), "--to-sphere", "excludes --level");

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H
+#pragma once
 
 #include <optional>
 #include <string>
@@ -54,5 +53,3 @@ double radius_of_spheres(Mesh_format format);
 std::string list_of_formats();
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H

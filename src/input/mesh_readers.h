@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
+#pragma once
 
 #include "input/vertex_data.h"
 #include "system/refusal.h"
@@ -159,5 +158,3 @@ std::vector<std::size_t> read_labels(const std::string& file, std::size_t number
 std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_XML_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_XML_H
+#pragma once
 
 #include <pugixml.hpp>
 
@@ -22,5 +21,3 @@ pugi::xml_attribute attribute(const std::string& file, pugi::xml_node node, cons
 std::size_t count_of(const std::string& file, pugi::xml_node node, const char* name);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_XML_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H
+#pragma once
 
 #include "mapping/mapped_mesh.h"
 #include "options/mapping_options.h"
@@ -65,5 +64,3 @@ std::string registration_text(const Registration_options& options, const Registe
 Json registration_json(const Registration_options& options, const Registered_pair& pair);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H

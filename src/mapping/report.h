@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
+#pragma once
 
 #include "mapping/mapped_mesh.h"
 #include "system/refusal.h"
@@ -36,5 +35,3 @@ std::string verbose_text(const SP::Result& result);
 Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_OPTION_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_OPTION_H
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -103,5 +102,3 @@ private:
 inline const char* const general_options = "Options";
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_OPTION_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_WRITE_MESH_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_WRITE_MESH_H
+#pragma once
 
 #include "input/mesh.h"
 #include "input/mesh_format.h"
@@ -89,5 +88,3 @@ void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const s
 /// @}
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_WRITE_MESH_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PREPARE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_PREPARE_H
+#pragma once
 
 #include "input/mesh_readers.h"
 
@@ -31,5 +30,3 @@ Json to_json(const Bounds& bounds);
 Json known(bool is_known, const Json& value);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_PREPARE_H

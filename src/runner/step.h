@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_STEP_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_STEP_H
+#pragma once
 
 #include "collections/mesh_collection.h"
 #include "mapping/mapped_mesh.h"
@@ -191,5 +190,3 @@ std::optional<std::string> manual(const CLI::App& app, const std::vector<Step>& 
 int run(int argc, char** argv, const std::vector<Step>& all);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_STEP_H

@@ -16,10 +16,7 @@ enum class Mesh_format { OFF, OBJ, PLY, STL, GIFTI, FREESURFER, VTK, VTP, VTU, G
 /// How standard input and standard output are called on the command line.
 inline const char* const standard_stream = "-";
 
-/// The name of a format on the command line: "off", "gifti", ...
-std::string name(Mesh_format format);
-
-/// The extension of its files; empty for FreeSurfer's.
+/// The extension of the files of a format by its name on the command line, "off", "gifti", ...; empty for FreeSurfer's.
 std::string extension_of_format(const std::string& name);
 
 /// Not so STL, which has no vertices, nor what is read only for those who have it: unstructured grids and MNI's

@@ -129,15 +129,15 @@ int checked_corner(const std::string& file, std::size_t face, double corner, std
 /// @{
 Soup read_off(const std::string& file, std::string text);
 Soup read_obj(const std::string& file, std::string text);
-Soup read_ply(const std::string& file, const std::string& bytes);
+Soup read_ply(const std::string& file, std::string bytes);
 Soup read_stl(const std::string& file, std::string bytes); ///< corners at the same place become one vertex
-Soup read_gifti(const std::string& file, const std::string& text);
-Soup read_freesurfer(const std::string& file, const std::string& bytes);
-Soup read_vtk(const std::string& file, const std::string& bytes);     ///< PolyData, or faces as an unstructured grid
-Soup read_vtk_xml(const std::string& file, const std::string& bytes); ///< the same
-Soup read_glb(const std::string& file, const std::string& bytes);     ///< vertices at the same place become one
-Soup read_gltf(const std::string& file, const std::string& text); ///< the same; other files are looked for next to it
-Soup read_mni(const std::string& file, std::string_view text);
+Soup read_gifti(const std::string& file, std::string text);
+Soup read_freesurfer(const std::string& file, std::string bytes);
+Soup read_vtk(const std::string& file, std::string bytes);     ///< PolyData, or faces as an unstructured grid
+Soup read_vtk_xml(const std::string& file, std::string bytes); ///< the same
+Soup read_glb(const std::string& file, std::string bytes);     ///< vertices at the same place become one
+Soup read_gltf(const std::string& file, std::string text);     ///< the same; other files are looked for next to it
+Soup read_mni(const std::string& file, std::string text);
 /// @}
 
 struct Fixed_vertex {

@@ -247,7 +247,7 @@ private:
 
 } // namespace
 
-Soup read_gifti(const std::string& file, const std::string& text) { return Gifti_reader(file, text).surface(); }
+Soup read_gifti(const std::string& file, std::string text) { return Gifti_reader(file, text).surface(); }
 
 Vertex_data read_gifti_data(const std::string& file, const std::string& text)
 {

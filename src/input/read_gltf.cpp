@@ -407,8 +407,8 @@ private:
 
 } // namespace
 
-Soup read_glb(const std::string& file, const std::string& bytes) { return Gltf_reader(file).read_binary(bytes); }
-Soup read_gltf(const std::string& file, const std::string& text) { return Gltf_reader(file).read_text(text); }
+Soup read_glb(const std::string& file, std::string bytes) { return Gltf_reader(file).read_binary(bytes); }
+Soup read_gltf(const std::string& file, std::string text) { return Gltf_reader(file).read_text(text); }
 
 std::vector<std::string> files_of_mesh(const std::string& file)
 {

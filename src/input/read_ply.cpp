@@ -415,6 +415,6 @@ private:
 
 } // namespace
 
-Soup read_ply(const std::string& file, const std::string& bytes) { return Ply_reader(file, bytes).read(); }
+Soup read_ply(const std::string& file, std::string bytes) { return Ply_reader(file, bytes).read(); }
 
 } // namespace tool

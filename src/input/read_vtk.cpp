@@ -535,8 +535,8 @@ private:
 
 } // namespace
 
-Soup read_vtk(const std::string& file, const std::string& bytes) { return Vtk_reader(file, bytes).read(); }
+Soup read_vtk(const std::string& file, std::string bytes) { return Vtk_reader(file, bytes).read(); }
 
-Soup read_vtk_xml(const std::string& file, const std::string& bytes) { return Vtk_xml_reader(file, bytes).read(); }
+Soup read_vtk_xml(const std::string& file, std::string bytes) { return Vtk_xml_reader(file, bytes).read(); }
 
 } // namespace tool

@@ -377,8 +377,10 @@ private:
     const Output_format ply = {Mesh_format::PLY, options_.ascii};
     write_json(open("report.json"), report);
     write_mesh(open("mean.ply"), ply, mesh_->mesh, statistics.mean, Surface::SHAPE);
-    write_variance_ply(open("variance.ply"), options_.ascii, mesh_->mesh, statistics.mean,
-                       SP::vertex_variances(all_cores, shapes, stopped_by_signals()));
+    std::vector<double> deviations = SP::vertex_variances(all_cores, shapes, stopped_by_signals());
+    std::transform(deviations.begin(), deviations.end(), deviations.begin(), [](double v) { return std::sqrt(v); });
+    write_coloured_ply(open("variance.ply"), options_.ascii, mesh_->mesh, statistics.mean, "standard_deviation",
+                       deviations);
     for(std::size_t k = 0; k < statistics.modes.size(); ++k)
       for(const auto& [word, sign] : {std::pair("plus", 1.), std::pair("minus", -1.)}) {
         std::vector<double> scores(k + 1, 0);

@@ -43,7 +43,7 @@ void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const s
 /// Writes the mesh as PLY with the segment of every face, and faces coloured by it. Segment i has the same colour in
 /// every file.
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,
-                        std::size_t number_of_segments, const Vertex_data& data);
+                        std::size_t number_of_segments, const Vertex_data& data = {});
 
 /// A position in the texture.
 using Uv = std::pair<double, double>;

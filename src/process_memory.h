@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PROCESS_MEMORY_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_PROCESS_MEMORY_H
+#pragma once
 
 namespace tool {
 
@@ -13,5 +12,3 @@ namespace tool {
 void manage_memory();
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_PROCESS_MEMORY_H

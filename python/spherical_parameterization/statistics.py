@@ -75,7 +75,8 @@ class ShapeSet(OneLine):
     iterations: int
 
 
-def _stack(shapes: Shapes) -> tuple[Doubles, bool]:
+def _stack(shapes: Shapes, weights: npt.ArrayLike | None = None) -> tuple[Doubles, bool, list[float]]:
+    """The shapes, whether they are harmonics, and the weights; as the core takes them."""
     tables: Any = shapes
     are_harmonics = isinstance(tables, Sequence) and len(tables) > 0 and isinstance(tables[0], Harmonics)
     if are_harmonics:
@@ -83,18 +84,14 @@ def _stack(shapes: Shapes) -> tuple[Doubles, bool]:
     array = doubles("shapes", tables)
     if array.ndim != 3 or array.shape[2] != 3 or 0 in array.shape:
         raise ValueError(f"shapes: shape (n, m, 3) is needed, not {array.shape}")
-    return array, are_harmonics
-
-
-def _weights(weights: npt.ArrayLike | None, shapes: Doubles, are_harmonics: bool) -> list[float]:
     if weights is None:
-        return []
+        return array, are_harmonics, []
     if are_harmonics:
         raise ValueError("weights: coefficients have none: their mean is that over the sphere")
-    given = numbers("weights", weights, shapes.shape[1])
+    given = numbers("weights", weights, array.shape[1])
     if not (np.isfinite(given).all() and given.min() >= 0 and given.sum() > 0):
         raise ValueError("weights: finite numbers that are not negative are needed, not all of them 0")
-    return given.tolist()
+    return array, are_harmonics, given.tolist()
 
 
 def _groups(groups: int | None, shapes: Doubles) -> int:
@@ -136,15 +133,12 @@ def align_shapes(
     ShapeSet
     """
     check(align_shapes, locals())
-    array, are_harmonics = _stack(shapes)
+    given = _stack(shapes, weights)
     if not accuracy >= 0:
         raise ValueError("accuracy: must not be negative")
-    aligned, scales, rotations, translations, deviation, has_converged, steps = _core.align_shapes(
-        array, are_harmonics, _weights(weights, array, are_harmonics), rotate, scale, accuracy, iterations, policy
-    )
-    return ShapeSet(
-        aligned, np.array(scales), np.array(rotations), np.array(translations), deviation, has_converged, steps
-    )
+    aligned, *motions, deviation, has_converged, steps = _core.align_shapes(*given, rotate, scale, accuracy, iterations, policy)
+    scales, rotations, translations = (np.array(motion) for motion in motions)
+    return ShapeSet(aligned, scales, rotations, translations, deviation, has_converged, steps)
 
 
 def shape_statistics(
@@ -170,12 +164,10 @@ def shape_statistics(
     ShapeStatistics
     """
     check(shape_statistics, locals())
-    array, are_harmonics = _stack(shapes)
-    count = len(array) if modes is None else modes
-    mean, found, variances, scores, total = _core.shape_statistics(
-        array, are_harmonics, _weights(weights, array, are_harmonics), count, policy
-    )
-    table = np.array(scores, dtype=np.float64).reshape(len(array), len(variances))
+    given = _stack(shapes, weights)
+    number = len(given[0])
+    mean, found, variances, scores, total = _core.shape_statistics(*given, number if modes is None else modes, policy)
+    table = np.array(scores, dtype=np.float64).reshape(number, len(variances))
     return ShapeStatistics(mean, found, np.array(variances), table, total)
 
 
@@ -204,9 +196,8 @@ def left_out_errors(
         For each number of modes, from 0 on: the root mean square distance of the left out shapes from their reconstructions.
     """
     check(left_out_errors, locals())
-    array, are_harmonics = _stack(shapes)
-    share, count = _weights(weights, array, are_harmonics), _groups(groups, array)
-    return np.array(_core.left_out_errors(array, are_harmonics, share, count, policy)[0])
+    given = _stack(shapes, weights)
+    return np.array(_core.left_out_errors(*given, _groups(groups, given[0]), policy)[0])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -249,11 +240,10 @@ def model_quality(
     ModelQuality
     """
     check(model_quality, locals())
-    array, are_harmonics = _stack(shapes)
+    given = _stack(shapes, weights)
     if samples < 2:
         raise ValueError(f"samples: 2 or more are needed, not {samples}")
-    share, count = _weights(weights, array, are_harmonics), _groups(groups, array)
-    figures = _core.model_quality(array, are_harmonics, share, count, samples, seed, policy)
+    figures = _core.model_quality(*given, _groups(groups, given[0]), samples, seed, policy)
     return ModelQuality(*(np.array(figure, dtype=np.float64) for figure in figures))
 
 
@@ -273,7 +263,7 @@ def mean_vertex_areas(shapes: npt.ArrayLike, triangles: npt.ArrayLike, *, policy
         Can be used as `weights` of `align_shapes()`, `shape_statistics()` and `left_out_errors()`.
     """
     check(mean_vertex_areas, locals())
-    array, are_harmonics = _stack(shapes)
+    array, are_harmonics, _ = _stack(shapes)
     if are_harmonics:
         raise TypeError("shapes: points are needed, not coefficients of harmonics")
     return np.array(_core.mean_vertex_areas(array, index_triples(triangles), policy))

@@ -22,7 +22,6 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 

@@ -4,8 +4,7 @@
 // What the files of the binding share: arrays of numpy as ranges, points and triangles as a mesh, policies by name.
 // The functions of the module are private: the Python files next to it check shapes and types before they call.
 
-#ifndef SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H
-#define SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H
+#pragma once
 
 #include <CGAL/Spherical_parameterization/Any_policy.h>
 #include <CGAL/Spherical_parameterization/Indexed_triangle_mesh.h>
@@ -201,5 +200,3 @@ void add_harmonics(py::module_& module);
 void add_spectrum(py::module_& module);
 void add_statistics(py::module_& module);
 void add_registration(py::module_& module);
-
-#endif // SPHERICAL_PARAMETERIZATION_PYTHON_ARRAYS_H

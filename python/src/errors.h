@@ -3,8 +3,7 @@
 //
 // Exceptions of C++ as those of Python.
 
-#ifndef SPHERICAL_PARAMETERIZATION_PYTHON_ERRORS_H
-#define SPHERICAL_PARAMETERIZATION_PYTHON_ERRORS_H
+#pragma once
 
 #include "system/refusal.h"
 
@@ -57,5 +56,3 @@ inline void translate(std::exception_ptr pointer)
 #endif
   }
 }
-
-#endif // SPHERICAL_PARAMETERIZATION_PYTHON_ERRORS_H

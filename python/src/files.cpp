@@ -15,11 +15,8 @@
 
 #include <pybind11/stl.h>
 
-#include <cstdint>
 #include <optional>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 namespace {
 

@@ -12,9 +12,7 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <sstream>
-#include <tuple>
 
 namespace {
 

@@ -15,10 +15,8 @@
 
 #include <pybind11/stl.h>
 
-#include <functional>
 #include <optional>
 #include <sstream>
-#include <utility>
 
 using namespace pybind11::literals;
 

@@ -16,12 +16,8 @@
 
 #include <pybind11/stl.h>
 
-#include <functional>
 #include <optional>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -11,11 +11,7 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <functional>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 namespace {
 

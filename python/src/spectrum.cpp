@@ -9,9 +9,6 @@
 
 #include <pybind11/stl.h>
 
-#include <tuple>
-#include <vector>
-
 namespace {
 
 std::tuple<std::vector<double>, Doubles, std::vector<double>>

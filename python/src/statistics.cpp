@@ -9,9 +9,7 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <optional>
-#include <tuple>
 
 namespace {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_PYTHON_WATCH_H
-#define SPHERICAL_PARAMETERIZATION_PYTHON_WATCH_H
+#pragma once
 
 #include "arrays.h"
 
@@ -53,5 +52,3 @@ auto on_watched(const std::string& policy, F f)
     throw py::error_already_set();
   }
 }
-
-#endif // SPHERICAL_PARAMETERIZATION_PYTHON_WATCH_H

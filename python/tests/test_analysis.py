@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is done with a map."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

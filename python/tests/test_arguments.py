@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is no argument is a TypeError or ValueError that names it, in every public function."""
 
-from __future__ import annotations
-
 import inspect
 import pickle
 import re

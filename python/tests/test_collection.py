@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Collections: rows, resumption, and a cluster on which workers die and stall."""
 
-from __future__ import annotations
-
 import contextlib
 import functools
 import os

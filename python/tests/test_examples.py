@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The examples and the notebook, with what Debian packages."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

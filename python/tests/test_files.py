@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Mesh files: the same bytes and the same refusals as the tool's."""
 
-from __future__ import annotations
-
 import gzip
 import os
 from pathlib import Path

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """parameterize(): arguments, results, errors, interruption, threads, memory."""
 
-from __future__ import annotations
-
 import importlib.util
 import os
 import pickle

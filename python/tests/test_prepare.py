@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes mended."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 from pathlib import Path

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Types, docstrings, doctests, licences."""
 
-from __future__ import annotations
-
 import doctest
 import importlib
 import inspect

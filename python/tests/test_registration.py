@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Registration of maps."""
 
-from __future__ import annotations
-
 import os
 import signal
 

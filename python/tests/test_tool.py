@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The same bits as the command-line tool."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

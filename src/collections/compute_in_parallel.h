@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMPUTE_IN_PARALLEL_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_COMPUTE_IN_PARALLEL_H
+#pragma once
 
 #include <cstddef>
 #include <functional>
@@ -20,5 +19,3 @@ typedef std::function<void()> Store;
 void compute_in_parallel(std::size_t count, int threads, const std::function<Store(std::size_t)>& compute);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_COMPUTE_IN_PARALLEL_H

@@ -106,9 +106,8 @@ bool are_versions(const std::string& versions, const std::vector<std::string>& f
 
 bool is_current(Database& database, const std::string& name, const std::string& file)
 {
-  auto row = database.query("SELECT bytes, changed, hash FROM mesh "
-                            "WHERE name = ? AND status NOT IN ('OUT_OF_MEMORY', 'INTERRUPTED')",
-                            name);
+  auto row = database.query(
+    "SELECT bytes, changed, hash FROM mesh WHERE name = ? AND status NOT IN ('OUT_OF_MEMORY', 'INTERRUPTED')", name);
   if(!row.next())
     return false;
   const std::vector<std::string> files = files_of_mesh(file);

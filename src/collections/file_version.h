@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_FILE_VERSION_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_FILE_VERSION_H
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -40,5 +39,3 @@ bool are_versions(const std::string& versions, const std::vector<std::string>& f
 bool is_current(Database& database, const std::string& name, const std::string& file);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_FILE_VERSION_H

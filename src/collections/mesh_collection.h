@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H
+#pragma once
 
 #include "options/usage.h"
 #include "system/refusal.h"
@@ -77,5 +76,3 @@ struct Collection {
 int run_collection(const Collection& collection);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_COLLECTION_H

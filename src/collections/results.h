@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_RESULTS_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_RESULTS_H
+#pragma once
 
 #include "collections/database.h"
 #include "collections/file_version.h"
@@ -85,5 +84,3 @@ private:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_RESULTS_H

@@ -45,11 +45,6 @@ Value value_of(const Database& database, const Database::Rows& row, int column, 
   return value;
 }
 
-Block block_of(const Database& database, const Database::Rows& row, int column)
-{
-  return value_of<Block>(database, row, column, "a block of codes");
-}
-
 template <class Numbers>
 Numbers finite_numbers(const Database& database, const Database::Rows& row, int column, const std::string& what)
 {
@@ -128,7 +123,7 @@ void Shape_index::put(const Signature_row& row)
   inserted.next(); // to the end, or it could not be committed
   Block codes = {};
   if(auto old = database_.query("SELECT codes FROM code WHERE block = ?", block); old.next())
-    codes = block_of(database_, old, 0);
+    codes = value_of<Block>(database_, old, 0, "a block of codes");
   codes[static_cast<std::size_t>(id % codes_per_block)] = code_of(row.signature);
   database_.run("INSERT OR REPLACE INTO code VALUES(?, ?)", block, Bytes{codes.data(), sizeof codes});
   database_.run("COMMIT");
@@ -181,7 +176,7 @@ std::set<std::pair<double, std::string>> Shape_index::nearest(const Shape_signat
   std::vector<Candidate> candidates;
   for(auto row = database_.query("SELECT block, codes FROM code"); row.next();) {
     std::int64_t id = codes_per_block * row.integer(0);
-    for(const Code& other : block_of(database_, row, 1)) {
+    for(const Code& other : value_of<Block>(database_, row, 1, "a block of codes")) {
       if(other.front() > 0)
         candidates.emplace_back(steps_between(code, other), id);
       ++id;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SHAPE_INDEX_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_SHAPE_INDEX_H
+#pragma once
 
 #include "collections/database.h"
 #include "collections/file_version.h"
@@ -72,5 +71,3 @@ private:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_SHAPE_INDEX_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURES_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURES_H
+#pragma once
 
 #include "collections/shape_index.h"
 #include "mapping/prepared_mesh.h"
@@ -37,5 +36,3 @@ struct Batch_summary {
 Batch_summary update_index(const std::vector<std::string>& meshes, const std::string& output, int threads, bool mends);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_SIGNATURES_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_BINARY_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_BINARY_H
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -99,5 +98,3 @@ std::optional<std::string> from_base64(std::string_view text);
 /// @}
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_BINARY_H

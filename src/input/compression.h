@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H
+#pragma once
 
 #include <cstddef>
 #include <memory>
@@ -46,5 +45,3 @@ std::optional<std::string> from_zlib(std::string_view bytes, std::size_t size);
 std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression compression, const std::string& file);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_COMPRESSION_H

@@ -4,11 +4,9 @@
 #include "input/mesh_readers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <numeric>
-#include <utility>
 
 namespace tool {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_FILES_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_FILES_H
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -45,5 +44,3 @@ std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, co
 std::vector<std::string> list_meshes(const std::vector<std::string>& inputs, const std::string& list);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_FILES_H

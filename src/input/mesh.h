@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_H
+#pragma once
 
 #include "input/mesh_readers.h"
 
@@ -66,5 +65,3 @@ Input_mesh read_mesh(const std::string& file, Polygons polygons = Polygons::REFU
                      const std::string& how_to_cut = "triangulate the mesh, or use --triangulate");
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_H

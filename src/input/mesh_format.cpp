@@ -117,12 +117,6 @@ std::string extension_of_format(const std::string& name)
   return std::string(found->extension);
 }
 
-std::string name(Mesh_format format)
-{
-  return std::string(
-    std::find_if(std::begin(formats), std::end(formats), [=](const Format& f) { return f.format == format; })->name);
-}
-
 bool is_written(Mesh_format format)
 {
   return format != Mesh_format::STL && format != Mesh_format::VTU && format != Mesh_format::MNI;

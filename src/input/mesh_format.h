@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H
+#pragma once
 
 #include <optional>
 #include <string>
@@ -17,10 +16,7 @@ enum class Mesh_format { OFF, OBJ, PLY, STL, GIFTI, FREESURFER, VTK, VTP, VTU, G
 /// How standard input and standard output are called on the command line.
 inline const char* const standard_stream = "-";
 
-/// The name of a format on the command line: "off", "gifti", ...
-std::string name(Mesh_format format);
-
-/// The extension of its files; empty for FreeSurfer's.
+/// The extension of the files of a format by its name on the command line, "off", "gifti", ...; empty for FreeSurfer's.
 std::string extension_of_format(const std::string& name);
 
 /// Not so STL, which has no vertices, nor what is read only for those who have it: unstructured grids and MNI's
@@ -54,5 +50,3 @@ double radius_of_spheres(Mesh_format format);
 std::string list_of_formats();
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_FORMAT_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H
+#pragma once
 
 #include "input/vertex_data.h"
 #include "system/refusal.h"
@@ -130,15 +129,15 @@ int checked_corner(const std::string& file, std::size_t face, double corner, std
 /// @{
 Soup read_off(const std::string& file, std::string text);
 Soup read_obj(const std::string& file, std::string text);
-Soup read_ply(const std::string& file, const std::string& bytes);
+Soup read_ply(const std::string& file, std::string bytes);
 Soup read_stl(const std::string& file, std::string bytes); ///< corners at the same place become one vertex
-Soup read_gifti(const std::string& file, const std::string& text);
-Soup read_freesurfer(const std::string& file, const std::string& bytes);
-Soup read_vtk(const std::string& file, const std::string& bytes);     ///< PolyData, or faces as an unstructured grid
-Soup read_vtk_xml(const std::string& file, const std::string& bytes); ///< the same
-Soup read_glb(const std::string& file, const std::string& bytes);     ///< vertices at the same place become one
-Soup read_gltf(const std::string& file, const std::string& text); ///< the same; other files are looked for next to it
-Soup read_mni(const std::string& file, std::string_view text);
+Soup read_gifti(const std::string& file, std::string text);
+Soup read_freesurfer(const std::string& file, std::string bytes);
+Soup read_vtk(const std::string& file, std::string bytes);     ///< PolyData, or faces as an unstructured grid
+Soup read_vtk_xml(const std::string& file, std::string bytes); ///< the same
+Soup read_glb(const std::string& file, std::string bytes);     ///< vertices at the same place become one
+Soup read_gltf(const std::string& file, std::string text);     ///< the same; other files are looked for next to it
+Soup read_mni(const std::string& file, std::string text);
 /// @}
 
 struct Fixed_vertex {
@@ -159,5 +158,3 @@ std::vector<std::size_t> read_labels(const std::string& file, std::size_t number
 std::vector<Fixed_vertex> read_fixed_vertices(const std::string& file, std::size_t number_of_vertices);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MESH_READERS_H

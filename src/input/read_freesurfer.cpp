@@ -3,7 +3,6 @@
 
 #include "input/binary.h"
 #include "input/mesh_readers.h"
-#include "system/refusal.h"
 
 #include <cstdint>
 
@@ -28,7 +27,7 @@ std::size_t end_of_comment(const std::string& file, const std::string& bytes)
 } // namespace
 
 /// The format of triangles, of B. Fischl and others: https://surfer.nmr.mgh.harvard.edu/fswiki/FileFormats
-Soup read_freesurfer(const std::string& file, const std::string& bytes)
+Soup read_freesurfer(const std::string& file, std::string bytes)
 {
   if(bytes.compare(0, magic_size, "\xff\xff\xfe") != 0)
     refuse_file(file, "does not begin as a FreeSurfer surface of triangles", "convert it with mris_convert");

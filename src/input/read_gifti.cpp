@@ -5,14 +5,10 @@
 #include "input/compression.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
-#include "input/vertex_data.h"
 #include "input/xml.h"
-#include "system/refusal.h"
 
-#include <cmath>
 #include <limits>
 #include <set>
-#include <utility>
 
 namespace tool {
 namespace {
@@ -251,7 +247,7 @@ private:
 
 } // namespace
 
-Soup read_gifti(const std::string& file, const std::string& text) { return Gifti_reader(file, text).surface(); }
+Soup read_gifti(const std::string& file, std::string text) { return Gifti_reader(file, text).surface(); }
 
 Vertex_data read_gifti_data(const std::string& file, const std::string& text)
 {

@@ -8,19 +8,16 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/welded_points.h"
-#include "system/refusal.h"
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <system_error>
-#include <utility>
 
 namespace tool {
 namespace {
@@ -410,8 +407,8 @@ private:
 
 } // namespace
 
-Soup read_glb(const std::string& file, const std::string& bytes) { return Gltf_reader(file).read_binary(bytes); }
-Soup read_gltf(const std::string& file, const std::string& text) { return Gltf_reader(file).read_text(text); }
+Soup read_glb(const std::string& file, std::string bytes) { return Gltf_reader(file).read_binary(bytes); }
+Soup read_gltf(const std::string& file, std::string text) { return Gltf_reader(file).read_text(text); }
 
 std::vector<std::string> files_of_mesh(const std::string& file)
 {

@@ -6,7 +6,6 @@
 #include "input/compression.h"
 #include "input/files.h"
 #include "input/mesh_format.h"
-#include "input/mesh_readers.h"
 #include "system/refusal.h"
 
 #include <CGAL/tags.h>
@@ -31,24 +30,11 @@ void refuse_unknown(const std::string& file)
               std::string("meshes are read from ") + mesh_extensions + " files");
 }
 
-Soup read_format(Mesh_format format, const std::string& file, std::string bytes)
-{
-  switch(format) {
-  case Mesh_format::OFF: return read_off(file, std::move(bytes));
-  case Mesh_format::OBJ: return read_obj(file, std::move(bytes));
-  case Mesh_format::PLY: return read_ply(file, bytes);
-  case Mesh_format::STL: return read_stl(file, std::move(bytes));
-  case Mesh_format::GIFTI: return read_gifti(file, bytes);
-  case Mesh_format::FREESURFER: return read_freesurfer(file, bytes);
-  case Mesh_format::VTK: return read_vtk(file, bytes);
-  case Mesh_format::VTP:
-  case Mesh_format::VTU: return read_vtk_xml(file, bytes);
-  case Mesh_format::GLB: return read_glb(file, bytes);
-  case Mesh_format::GLTF: return read_gltf(file, bytes);
-  case Mesh_format::MNI: return read_mni(file, bytes);
-  }
-  return {};
-}
+/// In the order of `Mesh_format`.
+constexpr Soup (*readers[])(const std::string& file, std::string content) = {
+  read_off, read_obj,     read_ply,     read_stl, read_gifti, read_freesurfer,
+  read_vtk, read_vtk_xml, read_vtk_xml, read_glb, read_gltf,  read_mni};
+static_assert(std::size(readers) == static_cast<std::size_t>(Mesh_format::MNI) + 1);
 
 } // namespace
 
@@ -98,7 +84,7 @@ Soup read_soup(const std::string& file, std::string bytes, Coordinates coordinat
     format = format_of_name(file);
   if(!format)
     refuse_unknown(file);
-  Soup soup = read_format(*format, file, std::move(bytes));
+  Soup soup = readers[static_cast<std::size_t>(*format)](file, std::move(bytes));
   number_equal_names(soup.data);
   cut_polygons(soup);
   if(soup.non_finite && coordinates == Coordinates::FINITE)

@@ -3,10 +3,8 @@
 
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
-#include "system/refusal.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace tool {
 namespace {
@@ -87,6 +85,6 @@ private:
 
 } // namespace
 
-Soup read_mni(const std::string& file, std::string_view text) { return Mni_reader(file, text).read(); }
+Soup read_mni(const std::string& file, std::string text) { return Mni_reader(file, text).read(); }
 
 } // namespace tool

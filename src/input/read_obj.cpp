@@ -4,11 +4,9 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/text_pieces.h"
-#include "system/refusal.h"
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 namespace tool {
 namespace {

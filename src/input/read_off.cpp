@@ -5,12 +5,9 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/text_pieces.h"
-#include "system/refusal.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
-#include <utility>
 
 namespace tool {
 namespace {
@@ -70,16 +67,7 @@ public:
       return read_binary();
     if(std::optional<Soup> soup = read_plain_lines())
       return std::move(*soup);
-    soup_.points.reserve(vertices_);
-    soup_.triangles.reserve(faces_);
-    while(soup_.points.size() < vertices_) {
-      go_to_next_line(soup_.points.size(), "vertices");
-      soup_.points.push_back(lines_.point("vertex", soup_.points.size(), soup_.non_finite));
-    }
-    while(soup_.faces < faces_) {
-      go_to_next_line(soup_.faces, "faces");
-      read_face();
-    }
+    read_lines(0, vertices_ + faces_);
     check_rest();
     return std::move(soup_);
   }
@@ -111,26 +99,28 @@ private:
     return read_pieces(pieces.size(), [&](std::size_t i) {
       Off_reader piece(file_, std::string(pieces[i]));
       piece.vertices_ = vertices_;
-      return piece.read_lines(first_line[i], first_line[i + 1]);
+      piece.read_lines(first_line[i], first_line[i + 1]);
+      const bool is_at_end = !piece.lines_.next(); // or some lines ended with CR
+      return is_at_end ? std::optional(std::move(piece.soup_)) : std::nullopt;
     });
   }
 
-  std::optional<Soup> read_lines(std::size_t first, std::size_t end)
+  /// Lines behind the header, but for blank ones and comments, which are not counted.
+  void read_lines(std::size_t first, std::size_t end)
   {
     const std::size_t first_face = std::clamp(vertices_, first, end);
     soup_.points.reserve(first_face - first);
     soup_.triangles.reserve(end - first_face);
     for(std::size_t line = first; line < end; ++line) {
       if(!lines_.next())
-        return std::nullopt; // some were blank, or comments
+        lines_.refuse_cut_short(
+          "the header announces " + promise() + ", but there are only " +
+          (line < vertices_ ? std::to_string(line) + " vertices" : std::to_string(line - vertices_) + " faces"));
       if(line < vertices_)
         soup_.points.push_back(lines_.point("vertex", line, soup_.non_finite));
       else
         read_face();
     }
-    if(lines_.next()) // some ended with CR
-      return std::nullopt;
-    return std::move(soup_);
   }
 
   void read_header()
@@ -183,13 +173,6 @@ private:
       lines_.refuse("the header announces " + std::to_string(*number) + " elements, more than this program can index",
                     "simplify the mesh");
     return static_cast<std::size_t>(*number);
-  }
-
-  void go_to_next_line(std::size_t number, const char* what)
-  {
-    if(!lines_.next())
-      lines_.refuse_cut_short("the header announces " + promise() + ", but there are only " + std::to_string(number) +
-                              ' ' + what);
   }
 
   void read_face()

@@ -4,17 +4,14 @@
 #include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
-#include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <sstream>
-#include <utility>
 
 namespace tool {
 namespace {
@@ -418,6 +415,6 @@ private:
 
 } // namespace
 
-Soup read_ply(const std::string& file, const std::string& bytes) { return Ply_reader(file, bytes).read(); }
+Soup read_ply(const std::string& file, std::string bytes) { return Ply_reader(file, bytes).read(); }
 
 } // namespace tool

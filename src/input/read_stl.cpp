@@ -5,11 +5,8 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/welded_points.h"
-#include "system/refusal.h"
 
-#include <cmath>
 #include <cstring>
-#include <utility>
 
 namespace tool {
 namespace {

@@ -9,15 +9,11 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/xml.h"
-#include "system/refusal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
-#include <utility>
 
 namespace tool {
 namespace {
@@ -539,8 +535,8 @@ private:
 
 } // namespace
 
-Soup read_vtk(const std::string& file, const std::string& bytes) { return Vtk_reader(file, bytes).read(); }
+Soup read_vtk(const std::string& file, std::string bytes) { return Vtk_reader(file, bytes).read(); }
 
-Soup read_vtk_xml(const std::string& file, const std::string& bytes) { return Vtk_xml_reader(file, bytes).read(); }
+Soup read_vtk_xml(const std::string& file, std::string bytes) { return Vtk_xml_reader(file, bytes).read(); }
 
 } // namespace tool

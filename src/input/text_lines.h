@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXT_LINES_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_TEXT_LINES_H
+#pragma once
 
 #include "system/refusal.h"
 
@@ -86,5 +85,3 @@ private:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_TEXT_LINES_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXT_PIECES_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_TEXT_PIECES_H
+#pragma once
 
 #include "input/mesh_readers.h"
 
@@ -25,5 +24,3 @@ std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& p
 std::optional<Soup> read_pieces(std::size_t number, const std::function<std::optional<Soup>(std::size_t)>& read);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_TEXT_PIECES_H

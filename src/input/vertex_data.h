@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_VERTEX_DATA_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_VERTEX_DATA_H
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -61,5 +60,3 @@ std::array<double, 3> colour_of_hue(double hue);
 std::array<std::uint8_t, 3> distinct_colour(std::size_t i);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_VERTEX_DATA_H

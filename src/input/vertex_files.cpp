@@ -6,9 +6,7 @@
 #include "input/compression.h"
 #include "input/files.h"
 #include "input/text_lines.h"
-#include "system/refusal.h"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_WELDED_POINTS_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_WELDED_POINTS_H
+#pragma once
 
 #include <boost/functional/hash.hpp>
 
@@ -38,5 +37,3 @@ private:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_WELDED_POINTS_H

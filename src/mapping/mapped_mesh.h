@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H
+#pragma once
 
 #include "input/mesh.h"
 #include "input/mesh_format.h"
@@ -98,5 +97,3 @@ auto on_host(const Mapped_mesh& input, Function function)
 }
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MAPPED_MESH_H

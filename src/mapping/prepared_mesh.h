@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PREPARED_MESH_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_PREPARED_MESH_H
+#pragma once
 
 #include "input/mesh.h"
 #include "input/mesh_readers.h"
@@ -62,5 +61,3 @@ std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& 
                                                            const std::vector<std::pair<double, double>>& coordinates);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_PREPARED_MESH_H

@@ -3,7 +3,6 @@
 
 #include "mapping/spherical_map.h"
 
-#include "input/mesh.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
@@ -11,12 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
-#include <string>
 #include <tuple>
-#include <variant>
-#include <vector>
 
 namespace tool {
 namespace {
@@ -45,13 +40,11 @@ void check_same_faces(const std::string& file, const std::string& mesh_file, con
       refuse("face " + std::to_string(f) + " (counted from 0) does not have the same vertices as in " + mesh_file);
 }
 
-bool has_radius_100(double radius) { return radius > 50 && radius < 200; }
-
 } // namespace
 
 Point on_unit_sphere(Point p)
 {
-  if(has_radius_100(std::hypot(p[0], p[1], p[2])))
+  if(const double radius = std::hypot(p[0], p[1], p[2]); radius > 50 && radius < 200) // about 100
     for(double& x : p)
       x /= 100;
   const double length = std::hypot(p[0], p[1], p[2]);

@@ -187,32 +187,26 @@ Registration_options to_register(const Mapping_options& options, const std::stri
 
 void add_registration_options(Options& all, Registration_options& options)
 {
-  all.add(
-    "--landmarks", options.landmarks,
-    "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
-    "moved onto each other where this flips no face. With --motion rotation or moebius, three or more pairs also "
-    "determine "
-    "the rotation of the sphere");
-  all
-    .add("--motion", options.motion,
-         "How the map of A may be moved: rotation, moebius (for conformal maps), or deformation")
+  all("--landmarks", options.landmarks,
+      "Text file of corresponding vertices: a line 'vertex-of-A vertex-of-B' for each pair, numbered from 0. They are "
+      "moved onto each other where this flips no face. With --motion rotation or moebius, three or more pairs also "
+      "determine the rotation of the sphere");
+  all("--motion", options.motion,
+      "How the map of A may be moved: rotation, moebius (for conformal maps), or deformation")
     .of({"rotation", "moebius", "deformation"});
   const auto add_weight = [&all](const char* name, double& weight, const char* what) -> Option& {
-    return all.add(name, weight, std::string("Deformation: weight of ") + what).in("[0,1000000]");
+    return all(name, weight, std::string("Deformation: weight of ") + what).in("[0,1000000]");
   };
   SP::Registration& registration = options.registration;
   add_weight("--curvature-weight", registration.curvature_weight, "the mean curvature");
-  all
-    .add(
-      "--features", options.features,
+  all("--features", options.features,
       "Two files, as for --data, with values at the vertices of A and of B that should be equal at corresponding "
-      "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that --prepare "
-      "adds get the means of their neighbours")
+      "points, such as sulcal depth. Columns are compared in order; their units do not matter. Vertices that "
+      "--prepare adds get the means of their neighbours")
     .times(2);
-  all
-    .add("--feature-weight", options.feature_weights,
-         "Deformation: weight of the features, or of each column as W,W,...; with --curvature-weight 0 the features "
-         "replace the curvature")
+  all("--feature-weight", options.feature_weights,
+      "Deformation: weight of the features, or of each column as W,W,...; with --curvature-weight 0 the features "
+      "replace the curvature")
     .is("W")
     .only_with("--features");
   add_weight("--stretch-weight", registration.stretch_weight,
@@ -334,17 +328,15 @@ std::string registration_text(const Registration_options& options, const Registe
   return text.str();
 }
 
-nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair)
+Json registration_json(const Registration_options& options, const Registered_pair& pair)
 {
   const SP::Registration_result& r = pair.result;
   const auto done = [](const Mapped_mesh& mesh) {
-    return mesh.prepared ? nlohmann::ordered_json(sentences(mesh.prepared->preparation)) : nullptr;
+    return mesh.prepared ? Json(sentences(mesh.prepared->preparation)) : nullptr;
   };
-  const auto of_deformation = [&options](double x) {
-    return options.motion == "deformation" ? nlohmann::ordered_json(x) : nullptr;
-  };
+  const bool is_deformed = options.motion == "deformation";
   return {{"inputs", {options.input, options.other}},
-          {"preparation", nlohmann::ordered_json::array({done(pair.a), done(pair.b)})},
+          {"preparation", Json::array({done(pair.a), done(pair.b)})},
           {"vertices", {pair.a.mesh().number_of_vertices(), pair.b.mesh().number_of_vertices()}},
           {"methods_used", {pair.a.result.method, pair.b.result.method}},
           {"motion", options.motion},
@@ -360,10 +352,10 @@ nlohmann::ordered_json registration_json(const Registration_options& options, co
           {"trust", SP::get_trust_name(r.trust())},
           {"rotation", r.rotation},
           {"iterations", r.iterations},
-          {"mismatch_before", of_deformation(r.mismatch_before)},
-          {"mismatch", of_deformation(r.mismatch)},
-          {"stretching", of_deformation(r.stretching)},
-          {"distortion", of_deformation(r.distortion)},
+          {"mismatch_before", known(is_deformed, r.mismatch_before)},
+          {"mismatch", known(is_deformed, r.mismatch)},
+          {"stretching", known(is_deformed, r.stretching)},
+          {"distortion", known(is_deformed, r.distortion)},
           {"change_of_lengths", pair.changes.factor.median},
           {"share_of_large_changes", pair.changes.share_of_large},
           {"largest_landmark_distance", r.largest_landmark_distance},

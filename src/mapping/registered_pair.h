@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H
+#pragma once
 
 #include "mapping/mapped_mesh.h"
 #include "options/mapping_options.h"
-#include "options/usage.h"
 
 #include <CGAL/Spherical_parameterization/register_maps.h>
 #include <CGAL/Spherical_parameterization/values/Distortion_summary.h>
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -65,8 +61,6 @@ std::string preparation_text(const Registration_options& options, const Register
 std::string registration_text(const Registration_options& options, const Registered_pair& pair);
 
 /// The figures of the registration, for reports.
-nlohmann::ordered_json registration_json(const Registration_options& options, const Registered_pair& pair);
+Json registration_json(const Registration_options& options, const Registered_pair& pair);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_REGISTERED_PAIR_H

@@ -18,8 +18,6 @@
 namespace tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json to_json(const SP::Distribution& d)
 {
   return {{"mean", d.mean},
@@ -46,12 +44,6 @@ Json to_json(const SP::Distortion_summary& d)
 Json to_json(const std::optional<SP::Termination>& termination)
 {
   return termination ? Json(get_termination_name(*termination)) : Json(nullptr);
-}
-
-template <class Value>
-Json known(bool is_known, const Value& value)
-{
-  return is_known ? Json(value) : Json(nullptr);
 }
 
 Json given(const std::string& text) { return known(!text.empty(), text); }

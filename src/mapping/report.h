@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H
+#pragma once
 
 #include "mapping/mapped_mesh.h"
 #include "system/refusal.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -35,8 +32,6 @@ std::string verbose_text(const SP::Result& result);
 /// The report, for programs to read. What is not known is null: all of the map if there is none, and how it was made if
 /// it was given (--sphere, `certify`). File names need not be valid
 /// UTF-8, which has to be replaced in text.
-nlohmann::ordered_json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
+Json report_json(const Mapping_options& options, const Mapped_mesh& input, const Report& report);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_REPORT_H

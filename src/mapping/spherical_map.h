@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H
+#pragma once
 
 #include "input/mesh.h"
 #include "options/mapping_options.h"
@@ -67,5 +66,3 @@ SP::Result read_sphere(const SP::Any_policy& policy, const std::string& file, co
                        const Mesh& mesh, Sphere& sphere);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_SPHERICAL_MAP_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_COMMAND_LINE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_COMMAND_LINE_H
+#pragma once
 
 #include "options/option.h"
 
@@ -43,5 +42,3 @@ constexpr std::size_t line_length = 100; ///< of a terminal
 std::string wrapped(const std::string& text, std::size_t width = line_length);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_COMMAND_LINE_H

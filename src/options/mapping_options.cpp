@@ -47,109 +47,92 @@ const std::string& default_policy_name()
 void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
 {
   using namespace CGAL::Spherical_parameterization;
-  all.add("--triangulate", o.triangulate, "Triangulate the polygons of IN instead of refusing them");
+  all("--triangulate", o.triangulate, "Triangulate the polygons of IN instead of refusing them");
 
   all.begin_group("Weights"); // those in groups say how to map
-  all
-    .add("--weights", o.weights,
-         "Edge weights: conformal (preserves angles, however bad the triangles are), clamped (cotangents of clamped "
-         "angles, as in the paper), barycentric (all 1), mean-value (always positive)")
+  all("--weights", o.weights,
+      "Edge weights: conformal (preserves angles, however bad the triangles are), clamped (cotangents of clamped "
+      "angles, as in the paper), barycentric (all 1), mean-value (always positive)")
     .of({"conformal", "clamped", "barycentric", "mean-value"});
-  all.add("--min-angle", o.min_angle, "Clamped: lower bound to which angles are clamped, in degrees")
+  all("--min-angle", o.min_angle, "Clamped: lower bound to which angles are clamped, in degrees")
     .in("(0,90)")
     .only_with("--weights", {"clamped"});
-  all.add("--max-angle", o.max_angle, "Clamped: upper bound to which angles are clamped, in degrees")
+  all("--max-angle", o.max_angle, "Clamped: upper bound to which angles are clamped, in degrees")
     .in("(0,90)")
     .only_with("--weights", {"clamped"});
 
   all.begin_group("Method");
-  all
-    .add("--method", o.method,
-         "automatic (balanced if its map is usable, else isometric), balanced (harmonic, fast; fails for limbs so long "
-         "and thin that doubles do not resolve them), isometric (low length distortion, for every mesh; without "
-         "weights), saddle-point (as in the paper; it rarely converges without fixed vertices)")
+  all("--method", o.method,
+      "automatic (balanced if its map is usable, else isometric), balanced (harmonic, fast; fails for limbs so long "
+      "and thin that doubles do not resolve them), isometric (low length distortion, for every mesh; without weights), "
+      "saddle-point (as in the paper; it rarely converges without fixed vertices)")
     .of({"automatic", "balanced", "isometric", "saddle-point"});
-  all
-    .add("--spring-exponent", o.spring_exponent,
-         "Balanced, automatic: exponent of the spring energy, >= 2; larger values equalize areas")
+  all("--spring-exponent", o.spring_exponent,
+      "Balanced, automatic: exponent of the spring energy, >= 2; larger values equalize areas")
     .in("[2,1000)")
     .only_with("--method", {"balanced", "automatic"});
-  all
-    .add("--area-exponent", o.area_exponent,
-         "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1; with --density 10]")
+  all("--area-exponent", o.area_exponent,
+      "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1; with --density 10]")
     .in("[0,1000)")
     .only_with("--method", {"isometric", "automatic"});
-  all
-    .add(
-      "--largest-shrinkage", o.largest_shrinkage,
+  all("--largest-shrinkage", o.largest_shrinkage,
       "Automatic: by what factor lengths may shrink, relative to the mean of the map. If they shrink more on more than "
       "a thousandth of the surface, the next method is tried")
     .in("[1,inf)")
     .only_with("--method", {"automatic"});
-  all.add("--splitting", o.splitting, "Saddle-point: splitting of the Laplacian for the sweeps")
+  all("--splitting", o.splitting, "Saddle-point: splitting of the Laplacian for the sweeps")
     .of({"jacobi", "gauss-seidel"})
     .only_with("--method", {"saddle-point"});
-  all.add("--relaxation", o.relaxation, "Saddle-point: relaxation factor in (0,1), with gauss-seidel in (0,2)")
+  all("--relaxation", o.relaxation, "Saddle-point: relaxation factor in (0,1), with gauss-seidel in (0,2)")
     .in("(0,2)")
     .only_with("--method", {"saddle-point"});
-  all.add("--check-interval", o.check_interval, "Saddle-point: number of sweeps between two convergence tests")
+  all("--check-interval", o.check_interval, "Saddle-point: number of sweeps between two convergence tests")
     .in("[1,2147483647]")
     .only_with("--method", {"saddle-point"});
-  all.add("--start", o.start, "Saddle-point: start map, a projection from the centroid or harmonic")
+  all("--start", o.start, "Saddle-point: start map, a projection from the centroid or harmonic")
     .of({"centroid", "harmonic"})
     .only_with("--method", {"saddle-point"});
   if(are_for_one) {
-    all.add(
-      "--fixed", o.fixed,
-      "Text file of fixed vertices: three or more lines 'index x y z', indices from 0 in the order of IN, positions on "
-      "the sphere. "
-      "isometric and automatic keep them at any positions, balanced and saddle-point only if they fit the harmonic "
-      "map");
-    all
-      .add(
-        "--landmark-weight", o.landmark_weight,
+    all("--fixed", o.fixed,
+        "Text file of fixed vertices: three or more lines 'index x y z', indices from 0 in the order of IN, positions "
+        "on the sphere. isometric and automatic keep them at any positions, balanced and saddle-point only if they fit "
+        "the harmonic map");
+    all("--landmark-weight", o.landmark_weight,
         "Isometric: pull the fixed vertices towards their positions with this weight, instead of keeping them exactly "
         "there")
       .in("(0,inf)")
       .only_with("--method", {"isometric"});
   }
-  all
-    .add(
-      "--density", o.density,
+  all("--density", o.density,
       "Isometric, automatic: text file with a positive number for every vertex or every face; areas on the sphere are "
       "to be proportional to these numbers times the areas of IN")
     .only_with("--method", {"isometric", "automatic"});
 
   all.begin_group("Where to run");
-  all
-    .add(
-      "--policy", o.policy,
+  all("--policy", o.policy,
       "sequential (one core), tbb (all cores), opencl (a device). The map is the same. Default for several IN at the "
       "same time: sequential")
     .of(policy_names());
-  all
-    .add("--device", o.device,
-         "OpenCL: number of the device in the list of the command 'devices', or part of its name "
-         "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")
+  all("--device", o.device,
+      "OpenCL: number of the device in the list of the command 'devices', or part of its name "
+      "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")
     .is("NUMBER|NAME")
     .only_with("--policy", {"opencl"});
-  all.add("--precision", o.precision, "OpenCL: floating-point precision [double if the device supports it]")
+  all("--precision", o.precision, "OpenCL: floating-point precision [double if the device supports it]")
     .of({"double", "single"})
     .only_with("--policy", {"opencl"});
 
   all.begin_group("Effort");
-  all
-    .add("--accuracy", o.accuracy,
-         "Residual to reach; isometric: relative energy decrease at which to stop; automatic: of the balanced map" +
-           defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
+  all("--accuracy", o.accuracy,
+      "Residual to reach; isometric: relative energy decrease at which to stop; automatic: of the balanced map" +
+        defaults(Balanced::default_accuracy, Saddle_point::default_accuracy, Isometric::default_accuracy))
     .in("(0,1)");
-  all
-    .add("--iterations", o.iterations,
-         "Maximum number of iterations; automatic: of the balanced map" +
-           defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations,
-                    Isometric::default_number_of_iterations))
+  all("--iterations", o.iterations,
+      "Maximum number of iterations; automatic: of the balanced map" +
+        defaults(Balanced::default_number_of_iterations, Saddle_point::default_number_of_iterations,
+                 Isometric::default_number_of_iterations))
     .in("[1,inf)");
-  all.add("--max-time", o.max_time, "Time limit in seconds [no limit]").in("(0,inf)");
+  all("--max-time", o.max_time, "Time limit in seconds [no limit]").in("(0,inf)");
   all.begin_group(general_options);
 }
 

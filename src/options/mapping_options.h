@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H
+#pragma once
 
 #include "options/option.h"
 #include "options/usage.h"
@@ -71,5 +70,3 @@ void check_mapping_options(const Mapping_options& options);
 std::vector<File_option> input_files(const Mapping_options& options);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_MAPPING_OPTIONS_H

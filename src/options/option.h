@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_OPTION_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_OPTION_H
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -81,8 +80,9 @@ public:
   /// Options that are added from now on have this heading.
   void begin_group(const char* name) { group_ = name; }
 
+  /// Adds one, as in `options("-k,--number", number, "How many there are").in("[1,100]")`.
   template <class T>
-  Option& add(const std::string& names, T& value, const std::string& description)
+  Option& operator()(const std::string& names, T& value, const std::string& description)
   {
     return all_.emplace_back(Option{names, &value, description, group_});
   }
@@ -102,5 +102,3 @@ private:
 inline const char* const general_options = "Options";
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_OPTION_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_USAGE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_USAGE_H
+#pragma once
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -32,5 +31,3 @@ using File_option = std::pair<std::string, std::string>;
 void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_USAGE_H

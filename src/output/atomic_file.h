@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H
+#pragma once
 
 #include <cstddef>
 #include <fstream>
@@ -78,5 +77,3 @@ private:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_ATOMIC_FILE_H

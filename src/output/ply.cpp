@@ -93,10 +93,9 @@ std::vector<Ply_column> ply_columns(const Vertex_data& data)
     return std::any_of(column.values.begin(), column.values.end(), [](double x) { return x > 1; });
   };
   const auto is_of_colour = [](const std::string& name) { return name == "red" || name == "green" || name == "blue"; };
-  const auto is_in_range =
-    [](const Vertex_column& column) { // whether a byte can hold all values; a missing one it cannot
-      return std::all_of(column.values.begin(), column.values.end(), [](double x) { return x >= 0 && x <= 255; });
-    };
+  const auto is_in_range = [](const Vertex_column& column) { // a byte can hold all values; a missing one it cannot
+    return std::all_of(column.values.begin(), column.values.end(), [](double x) { return x >= 0 && x <= 255; });
+  };
   bool is_brighter = false, are_in_range = true;
   for(const Vertex_column& column : data)
     if(is_of_colour(column.name)) {

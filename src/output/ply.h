@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PLY_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_PLY_H
+#pragma once
 
 #include "input/mesh.h"
 
@@ -44,5 +43,3 @@ void write_ply(std::ostream& out, bool is_text, const Mesh& mesh, const std::vec
                const Ply_extras& extras = {});
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_PLY_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_QUANTILE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_QUANTILE_H
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -22,5 +21,3 @@ inline double quantile(std::vector<double>& values, double share)
 }
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_QUANTILE_H

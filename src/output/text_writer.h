@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXT_WRITER_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_TEXT_WRITER_H
+#pragma once
 
 #include "input/compression.h"
 #include "system/interruption.h"
@@ -120,5 +119,3 @@ private:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_TEXT_WRITER_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_TEXTURE_PLACES_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_TEXTURE_PLACES_H
+#pragma once
 
 #include "output/write_mesh.h"
 
@@ -47,5 +46,3 @@ struct Texture_places {
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_TEXTURE_PLACES_H

@@ -11,9 +11,7 @@
 
 #include <png.h>
 
-#include <cstddef>
 #include <stdexcept>
-#include <vector>
 
 namespace tool {
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace tool {
@@ -166,9 +167,8 @@ std::string type_of_image(const std::string& image)
 
 void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const std::vector<Point>& points)
 {
-  std::vector<int> vertices;
-  for(std::size_t v = 0; v < points.size(); ++v)
-    vertices.push_back(static_cast<int>(v));
+  std::vector<int> vertices(points.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
   std::vector<std::uint32_t> corners;
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for(const int v : mesh.triangle(f))

@@ -54,29 +54,6 @@ Colour diverging(double t)
   return colour;
 }
 
-/// With a value at every vertex, and its colour.
-void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
-                        const std::string& name, const std::vector<double>& values)
-{
-  // The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else grey. Either side
-  // has its own, since limbs can shrink by many orders of magnitude while nothing grows by more than a few.
-  constexpr double least = std::numeric_limits<double>::min();
-  std::vector<double> sorted = values;
-  const double low = std::min(quantile(sorted, 0.02), -least), high = std::max(quantile(sorted, 0.98), least);
-  std::ostringstream comment;
-  comment.precision(std::numeric_limits<double>::max_digits10);
-  comment << "colours by " << name << ": ";
-  if(low < -least)
-    comment << "blue at " << low << ", ";
-  comment << "grey at 0, red at " << high;
-  std::vector<Colour> colours;
-  for(const double x : values)
-    colours.push_back(diverging(x / (x < 0 ? -low : high)));
-  Ply_extras extras = {comment.str(), colour_columns(colours), {}};
-  extras.of_vertices.push_back({Ply_column::Type::DOUBLE, name, [&values](std::size_t v) { return values[v]; }});
-  write_ply(out, ascii, mesh, points, extras);
-}
-
 } // namespace
 
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
@@ -127,18 +104,26 @@ Point as_stored(Mesh_format format, Surface surface, Point point)
   return point;
 }
 
-void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch)
+void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
+                        const std::string& name, const std::vector<double>& values)
 {
-  write_coloured_ply(out, ascii, mesh, mesh.points(), "log_area_stretch", stretch);
-}
-
-void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
-                        const std::vector<double>& variance)
-{
-  std::vector<double> deviation;
-  for(const double v : variance)
-    deviation.push_back(std::sqrt(v));
-  write_coloured_ply(out, ascii, mesh, points, "standard_deviation", deviation);
+  // The scale ends at quantiles, or a few vertices at the tips of limbs would leave everything else grey. Either side
+  // has its own, since limbs can shrink by many orders of magnitude while nothing grows by more than a few.
+  constexpr double least = std::numeric_limits<double>::min();
+  std::vector<double> sorted = values;
+  const double low = std::min(quantile(sorted, 0.02), -least), high = std::max(quantile(sorted, 0.98), least);
+  std::ostringstream comment;
+  comment.precision(std::numeric_limits<double>::max_digits10);
+  comment << "colours by " << name << ": ";
+  if(low < -least)
+    comment << "blue at " << low << ", ";
+  comment << "grey at 0, red at " << high;
+  std::vector<Colour> colours;
+  for(const double x : values)
+    colours.push_back(diverging(x / (x < 0 ? -low : high)));
+  Ply_extras extras = {comment.str(), colour_columns(colours), {}};
+  extras.of_vertices.push_back({Ply_column::Type::DOUBLE, name, [&values](std::size_t v) { return values[v]; }});
+  write_ply(out, ascii, mesh, points, extras);
 }
 
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_WRITE_MESH_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_WRITE_MESH_H
+#pragma once
 
 #include "input/mesh.h"
 #include "input/mesh_format.h"
@@ -36,19 +35,15 @@ void check_float_range(const std::string& file, const std::vector<Point>& points
 /// The coordinates that are read from a file of that format, which may hold floats and other radii.
 Point as_stored(Mesh_format format, Surface surface, Point point);
 
-/// Writes the mesh (not the sphere) as a PLY file with `stretch`, the log area stretch of every vertex, and coloured by
-/// it: light grey where areas keep their share, red where the map shrinks them, blue where it enlarges them.
-void write_stretch_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<double>& stretch);
-
-/// Writes the mean of shapes as a PLY file with `standard_deviation`, the root of the variance of every vertex, and
-/// coloured by it: grey where the shapes agree, red where they differ most.
-void write_variance_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
-                        const std::vector<double>& variance);
+/// Writes the mesh as PLY over any points, with a value of this name at every vertex, and coloured by it: light grey at
+/// 0, red above, blue below.
+void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,
+                        const std::string& name, const std::vector<double>& values);
 
 /// Writes the mesh as PLY with the segment of every face, and faces coloured by it. Segment i has the same colour in
 /// every file.
 void write_segments_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<std::size_t>& segments,
-                        std::size_t number_of_segments, const Vertex_data& data);
+                        std::size_t number_of_segments, const Vertex_data& data = {});
 
 /// A position in the texture.
 using Uv = std::pair<double, double>;
@@ -89,5 +84,3 @@ void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const s
 /// @}
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_WRITE_MESH_H

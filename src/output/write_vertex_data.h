@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_WRITE_VERTEX_DATA_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_WRITE_VERTEX_DATA_H
+#pragma once
 
 #include "input/mesh_readers.h"
 #include "input/vertex_data.h"
@@ -42,5 +41,3 @@ void write_curv(std::ostream& out, const Vertex_column& column);
 /// @}
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_WRITE_VERTEX_DATA_H

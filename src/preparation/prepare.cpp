@@ -13,20 +13,16 @@
 namespace tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json to_json(const Defect& defect)
 {
-  return {{"count", defect.count}, {"first", defect.count > 0 ? Json(defect.first) : Json(nullptr)}};
+  return {{"count", defect.count}, {"first", known(defect.count > 0, defect.first)}};
 }
 
 Json to_json(const std::vector<Loop>& loops)
 {
   Json json = Json::array();
   for(const Loop& loop : loops)
-    json.push_back({{"edges", loop.edges},
-                    {"length", loop.length},
-                    {"vertex", loop.vertex >= 0 ? Json(loop.vertex) : Json(nullptr)}});
+    json.push_back({{"edges", loop.edges}, {"length", loop.length}, {"vertex", known(loop.vertex >= 0, loop.vertex)}});
   return json;
 }
 
@@ -38,7 +34,7 @@ Json to_json(const std::vector<Piece>& pieces)
                     {"area", piece.size.area},
                     {"holes", piece.size.holes},
                     {"handles", piece.size.genus()},
-                    {"vertex", piece.vertex >= 0 ? Json(piece.vertex) : Json(nullptr)},
+                    {"vertex", known(piece.vertex >= 0, piece.vertex)},
                     {"kept", piece.is_kept}});
   return json;
 }
@@ -86,5 +82,7 @@ Json to_json(const Preparation& preparation)
 }
 
 Json to_json(const Bounds& bounds) { return {bounds.low, bounds.high}; }
+
+Json known(bool is_known, const Json& value) { return is_known ? value : Json(nullptr); }
 
 } // namespace tool

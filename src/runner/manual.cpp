@@ -196,14 +196,14 @@ std::string table_of_steps(const std::vector<Step>& all)
 /// For the tests, which run all of them.
 std::string steps_as_json(const std::vector<Step>& all)
 {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   // in the order of the enumerators
   constexpr const char *takes[] = {"nothing", "each", "pair", "together", "one"},
                        *kinds[] = {"file", "mesh", "folder", "database"}, *spheres[] = {"no", "option", "argument"};
   static_assert(std::size(takes) == Takes::ONE + 1 && std::size(kinds) == Output::DATABASE + 1 &&
                 std::size(spheres) == Takes::ARGUMENT + 1);
   for(const Step& step : all) {
-    nlohmann::ordered_json outputs = nlohmann::ordered_json::array();
+    Json outputs = Json::array();
     for(const Output& output : step.gives)
       outputs.push_back({{"option", output.option()},
                          {"extension", output.extensions.empty() ? ".off" : output.extensions.front()},

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PAGE_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_PAGE_H
+#pragma once
 
 #include "input/mesh.h"
 
@@ -42,5 +41,3 @@ private:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_PAGE_H

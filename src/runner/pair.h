@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_PAIR_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_PAIR_H
+#pragma once
 
 #include "mapping/registered_pair.h"
 #include "runner/step.h"
@@ -41,5 +40,3 @@ inline Work work_on_pair(const std::function<void(const Registration_options&, R
 }
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_PAIR_H

@@ -39,9 +39,9 @@ std::string Request::settings(const std::set<std::string>& left_out) const
   return text;
 }
 
-void write_json(std::ostream& out, const nlohmann::ordered_json& json)
+void write_json(std::ostream& out, const Json& json)
 {
-  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 std::ostream* Run::out(const std::string& option)
@@ -77,7 +77,6 @@ void Run::write_report()
   report_ = Atomic_files();
   if(file("--report").empty())
     return;
-  using Json = nlohmann::ordered_json;
   Json json;
   if(has_maps_)
     json = report_json(options, input, figures);

@@ -46,19 +46,18 @@ public:
     carries_data_ = step_.takes.meshes == Takes::PAIR || (is_about_each() && has_ply);
     if(carries_data_)
       step_.gives.push_back(
-        {"--data-output", std::string("Write the columns of --data, and those that the mesh has, at the vertices of "
-                                      "the output: ") +
-                            data_names});
+        {"--data-output",
+         std::string("Write the columns of --data, and those that the mesh has, at the vertices of the output: ") +
+           data_names});
     add_inputs();
     for(const Output& output : step_.gives)
       add_output(output);
     if(carries_data_)
-      all_
-        .add("--data", request_.options.data,
-             std::string("Values and labels at the vertices of ") +
-               (step_.takes.meshes == Takes::PAIR ? "A" : "IN; of several IN the same for all") +
-               ": FreeSurfer's curv, .annot and .label, GIFTI, .csv. They are written to outputs that hold them (.ply, "
-               ".vtk, .vtp), as are those that the mesh has itself")
+      all_("--data", request_.options.data,
+           std::string("Values and labels at the vertices of ") +
+             (step_.takes.meshes == Takes::PAIR ? "A" : "IN; of several IN the same for all") +
+             ": FreeSurfer's curv, .annot and .label, GIFTI, .csv. They are written to outputs that hold them (.ply, "
+             ".vtk, .vtp), as are those that the mesh has itself")
         .times(0);
     const Output* const first = step_.gives.empty() ? nullptr : &step_.gives.front();
     if(first != nullptr && first->kind == Output::MESH) {
@@ -67,38 +66,33 @@ public:
         if(first->extensions.empty() ||
            std::count(first->extensions.begin(), first->extensions.end(), extension_of_format(word)) > 0)
           words.push_back(word);
-      all_
-        .add("--format", request_.format,
-             "Format of the output [by its name; in a folder: " +
-               (first->extensions.empty() ? "ply" : first->extensions.front().substr(1)) + ']')
+      all_("--format", request_.format,
+           "Format of the output [by its name; in a folder: " +
+             (first->extensions.empty() ? "ply" : first->extensions.front().substr(1)) + ']')
         .of(words);
     }
     if(has_ply)
-      all_.add("--ascii", request_.ascii, "Write PLY, VTK and VTP files as text instead of binary");
+      all_("--ascii", request_.ascii, "Write PLY, VTK and VTP files as text instead of binary");
     if(step_.takes.prepare == Prepare::ALL)
-      all_.add("--prepare", prepares_,
-               std::string("Repair the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
-                 step_.takes.prepared);
+      all_("--prepare", prepares_,
+           std::string("Repair the mesh first as the command 'prepare' does: holes, handles, components, ...; ") +
+             step_.takes.prepared);
     if(step_.takes.prepare == Prepare::HARMLESS)
-      all_.add("--prepare", prepares_,
-               "Repair IN first as far as its shape does not change: merge vertices at the same position, orient "
-               "faces, remove "
-               "repeated faces and isolated vertices. The sphere is then that of the repaired mesh ('prepare --steps "
-               "merge,orient' writes it)");
+      all_("--prepare", prepares_,
+           "Repair IN first as far as its shape does not change: merge vertices at the same position, orient "
+           "faces, remove repeated faces and isolated vertices. The sphere is then that of the repaired mesh "
+           "('prepare --steps merge,orient' writes it)");
     if(step_.takes.meshes == Takes::PAIR) {
-      all_
-        .add(
-          "--sphere", request_.spheres,
-          "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options that "
-          "say how to map, except --max-time, which also limits the registration")
+      all_("--sphere", request_.spheres,
+           "Spheres of A and B that 'map' has written, to use instead of new maps. Cannot be combined with options "
+           "that say how to map, except --max-time, which also limits the registration")
         .times(2);
-      all_.add("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
+      all_("--spheres", request_.spheres, "").times(2).group.clear(); // its name before
     }
     if(step_.takes.sphere == Takes::OPTION)
-      all_
-        .add("--sphere", request_.options.sphere,
-             "Sphere of IN that 'map' has written, to use instead of a new map; for several IN the folder of their "
-             "spheres. Cannot be combined with options that say how to map")
+      all_("--sphere", request_.options.sphere,
+           "Sphere of IN that 'map' has written, to use instead of a new map; for several IN the folder of their "
+           "spheres. Cannot be combined with options that say how to map")
         .is("FILE|FOLDER");
     if(step_.takes.method != nullptr) {
       request_.options.method = step_.takes.method;
@@ -161,24 +155,22 @@ private:
   {
     if(step_.takes.meshes == Takes::PAIR) {
       const std::string format = std::string("closed triangle mesh of genus 0: ") + mesh_extensions;
-      all_.add("A", request_.options.input, "The mesh that is registered to B, a " + format).required();
-      all_.add("B", request_.other, "The other mesh, of the same kind").required();
+      all_("A", request_.options.input, "The mesh that is registered to B, a " + format).required();
+      all_("B", request_.other, "The other mesh, of the same kind").required();
     }
     if(step_.takes.meshes == Takes::ONE)
-      all_.add("QUERY", request_.options.input, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
+      all_("QUERY", request_.options.input, std::string("Closed triangle mesh of genus 0: ") + mesh_extensions)
         .required();
     if(!is_about_each() && step_.takes.meshes != Takes::TOGETHER)
       return;
-    all_
-      .add("IN", request_.meshes.inputs,
-           step_.takes.what != nullptr
-             ? step_.takes.what
-             : std::string("Closed triangle meshes of genus 0 (") + mesh_extensions + "), or folders of them")
+    all_("IN", request_.meshes.inputs,
+         step_.takes.what != nullptr
+           ? step_.takes.what
+           : std::string("Closed triangle meshes of genus 0 (") + mesh_extensions + "), or folders of them")
       .is("FILE|FOLDER")
       .times(0);
-    all_.add("--list", request_.meshes.list, "Text file with one more IN per line");
-    all_.add("-j,--jobs", request_.meshes.jobs, "Number of meshes to work on at the same time [all cores]")
-      .in("[1,4096]");
+    all_("--list", request_.meshes.list, "Text file with one more IN per line");
+    all_("-j,--jobs", request_.meshes.jobs, "Number of meshes to work on at the same time [all cores]").in("[1,4096]");
   }
 
   void add_output(const Output& output)
@@ -190,7 +182,7 @@ private:
     }
     if(output.option() == "--output" && is_about_each() && output.kind != Output::FOLDER)
       text += "; for several IN a folder";
-    Option& option = all_.add(output.names, request_.outputs[output.option()], text);
+    Option& option = all_(output.names, request_.outputs[output.option()], text);
     option.is(output.kind == Output::FOLDER ? "FOLDER" : "FILE");
     if(output.when == Output::REQUIRED)
       option.required();

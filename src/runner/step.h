@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_STEP_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_STEP_H
+#pragma once
 
 #include "collections/mesh_collection.h"
 #include "mapping/mapped_mesh.h"
@@ -105,7 +104,7 @@ public:
   Vertex_data data;        ///< at the vertices of the meshes that are written, and for --data-output: those of `input`
   Annotations annotations; ///< of these meshes
   Report figures;
-  nlohmann::ordered_json details; ///< what the report says besides
+  Json details;      ///< what the report says besides
   std::string text;  ///< for people, of a mesh alone; lines without the end of the last one. Also said with a refusal
   std::string line;  ///< of one among many, if it is not refused: does not name the mesh, and is the same in every run
   int exit_code = 0; ///< 1: something was refused, and the rest done
@@ -124,7 +123,7 @@ private:
 
 /// Writes a file for people and programs: indented, with a line end. Bytes of file names that are no UTF-8 are
 /// replaced.
-void write_json(std::ostream& out, const nlohmann::ordered_json& json);
+void write_json(std::ostream& out, const Json& json);
 
 /// Does the work of a request, with its files and its report.
 Outcome perform(const Step& step, const Work& work, Run& run);
@@ -191,5 +190,3 @@ std::optional<std::string> manual(const CLI::App& app, const std::vector<Step>& 
 int run(int argc, char** argv, const std::vector<Step>& all);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_STEP_H

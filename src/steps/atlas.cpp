@@ -17,7 +17,6 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -25,7 +24,6 @@ namespace tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct Atlas_options {
   std::string template_mesh; ///< empty: the first that has a map
@@ -379,8 +377,10 @@ private:
     const Output_format ply = {Mesh_format::PLY, options_.ascii};
     write_json(open("report.json"), report);
     write_mesh(open("mean.ply"), ply, mesh_->mesh, statistics.mean, Surface::SHAPE);
-    write_variance_ply(open("variance.ply"), options_.ascii, mesh_->mesh, statistics.mean,
-                       SP::vertex_variances(all_cores, shapes, stopped_by_signals()));
+    std::vector<double> deviations = SP::vertex_variances(all_cores, shapes, stopped_by_signals());
+    std::transform(deviations.begin(), deviations.end(), deviations.begin(), [](double v) { return std::sqrt(v); });
+    write_coloured_ply(open("variance.ply"), options_.ascii, mesh_->mesh, statistics.mean, "standard_deviation",
+                       deviations);
     for(std::size_t k = 0; k < statistics.modes.size(); ++k)
       for(const auto& [word, sign] : {std::pair("plus", 1.), std::pair("minus", -1.)}) {
         std::vector<double> scores(k + 1, 0);
@@ -421,23 +421,21 @@ Work atlas_work()
   const auto own = std::make_shared<Atlas_options>();
   Work work = {[own](Run& run) { Atlas(*own, run).run(); }};
   Options& options = work.options;
-  options.add("--template", own->template_mesh,
-              "The mesh to which all are registered first: one of IN or another one [the first of IN that has a map]");
-  options
-    .add("--rounds", own->rounds,
-         "Number of rounds of registration; from the second round on, the template is the mean of the round before")
+  options("--template", own->template_mesh,
+          "The mesh to which all are registered first: one of IN or another one [the first of IN that has a map]");
+  options("--rounds", own->rounds,
+          "Number of rounds of registration; from the second round on, the template is the mean of the round before")
     .in("[1,100]");
-  options.add("--faces", own->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
+  options("--faces", own->faces, "All shapes get the vertices and faces of an icosphere, or of the template")
     .of({"icosphere", "template"});
-  options.add("--level", own->level, "The icosphere has 10 * 4^LEVEL + 2 vertices")
+  options("--level", own->level, "The icosphere has 10 * 4^LEVEL + 2 vertices")
     .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
-  options
-    .add("--align", own->placement,
-         "What is removed before shapes are compared: none (nothing), centre (translations), rigid (rotations, too: "
-         "generalized Procrustes alignment), similarity (sizes, too)")
+  options("--align", own->placement,
+          "What is removed before shapes are compared: none (nothing), centre (translations), rigid (rotations, too: "
+          "generalized Procrustes alignment), similarity (sizes, too)")
     .of({"none", "centre", "rigid", "similarity"});
-  options.add("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
-  options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
+  options("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
+  options("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
   work.reads = [own](const Request&) { return Work::Files{{"--template", own->template_mesh}}; };
   work.writes = [own](const Request& request) {
     Work::Files files;

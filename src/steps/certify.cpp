@@ -106,8 +106,7 @@ Work certify_work()
     run.options.triangulate = *triangulates;
     certify(run);
   }};
-  work.options.add("--triangulate", *triangulates,
-                   "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");
+  work.options("--triangulate", *triangulates, "Triangulate the polygons of MESH as 'map' does; SPHERE has triangles");
   return work;
 }
 
@@ -120,17 +119,16 @@ Step certify_step()
     "Certify and measure a spherical map of any program",
     {Takes::EACH, nullptr, "", Takes::ARGUMENT, Prepare::HARMLESS, "",
      "MESH... SPHERE: closed triangle meshes of genus 0, or folders of them; the last argument is the sphere, or the "
-     "folder of the spheres with the same names. A sphere has the same vertices and faces in the same order "
-     "as its mesh; its centre is the origin, its radius may be any"},
+     "folder of the spheres with the same names. A sphere has the same vertices and faces in the same order as its "
+     "mesh; its centre is the origin, its radius may be any"},
     {{"-o,--output",
-      "Folder for the reports of several MESH, and for the list of finished ones, with which the same command "
-      "resumes",
+      "Folder for the reports of several MESH, and for the list of finished ones, with which the same command resumes",
       {},
       Output::FOLDER}},
     certify_work,
     "certify lh.pial.ply lh.sphere.ply --report report.json",
-    "The exit code is 0 if the map is valid. Points that are not on a common sphere are projected from the origin, "
-    "and the output says so. Mirror images are recognized."};
+    "The exit code is 0 if the map is valid. Points that are not on a common sphere are projected from the origin, and "
+    "the output says so. Mirror images are recognized."};
 }
 
 } // namespace tool

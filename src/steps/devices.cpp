@@ -12,7 +12,6 @@
 #endif
 
 #include <iomanip>
-#include <optional>
 #include <sstream>
 
 namespace tool {

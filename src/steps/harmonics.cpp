@@ -20,8 +20,6 @@
 namespace tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Harmonics_options {
   int degree = 15;
   std::string fit = "least-squares";
@@ -160,15 +158,14 @@ Work harmonics_work()
 {
   const auto own = std::make_shared<Harmonics_options>();
   Work work = {[own](Run& run) { harmonics(*own, run); }};
-  work.options.add("--degree", own->degree, "The largest degree: (DEGREE + 1)^2 coefficients per coordinate")
-    .in("[0,2000]");
-  work.options
-    .add("--fit", own->fit,
-         "Least squares at the vertices, which need as many vertices as coefficients, or integrals over the faces")
+  Options& options = work.options;
+  options("--degree", own->degree, "The largest degree: (DEGREE + 1)^2 coefficients per coordinate").in("[0,2000]");
+  options("--fit", own->fit,
+          "Least squares at the vertices, which need as many vertices as coefficients, or integrals over the faces")
     .of({"least-squares", "integrals"});
-  work.options.add("--align", own->align,
-                   "Move the shape to the position of its first-order ellipsoid, the longest axis along x, so that the "
-                   "coefficients of shapes in any position can be compared");
+  options("--align", own->align,
+          "Move the shape to the position of its first-order ellipsoid, the longest axis along x, so that the "
+          "coefficients of shapes in any position can be compared");
   work.check = [own](const Request&) {
     require(!own->align || own->degree > 0, "--align", "requires --degree 1 or more");
   };

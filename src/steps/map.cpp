@@ -93,7 +93,7 @@ void map(Run& run)
     run.figures.seconds_measure = measuring.seconds();
   run.write("--output", input.mesh(), exact.empty() ? input.sphere : exact, Surface::SPHERE);
   if(std::ostream* const file = run.out("--stretch-ply"))
-    write_stretch_ply(*file, run.ascii, input.mesh(), stretch);
+    write_coloured_ply(*file, run.ascii, input.mesh(), input.mesh().points(), "log_area_stretch", stretch);
   run.commit();
   say(run);
 }

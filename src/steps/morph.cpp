@@ -12,7 +12,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <system_error>
 
 namespace tool {
@@ -110,9 +109,9 @@ Work morph_work()
 {
   const auto own = std::make_shared<Morph_options>();
   Work work = work_on_pair([own](const Registration_options& options, Run& run) { morph(*own, options, run); });
-  work.options.add("--steps", own->steps, "The number of steps: STEPS + 1 meshes are written").in("[1,10000]");
-  work.options.add("--format", own->format, "Format of the meshes").of({"off", "obj", "ply", "glb"});
-  work.options.add("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
+  work.options("--steps", own->steps, "The number of steps: STEPS + 1 meshes are written").in("[1,10000]");
+  work.options("--format", own->format, "Format of the meshes").of({"off", "obj", "ply", "glb"});
+  work.options("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
   work.check = [own, check = work.check](const Request& request) {
     check(request);
     check_folder(*own, request.file());

@@ -13,15 +13,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <set>
 #include <sstream>
 
 namespace tool {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// The command line of `prepare`.
 struct Prepare_options {
@@ -148,8 +145,8 @@ std::string shape_of(const std::vector<Glued_surface>& parts, bool are_copies_lo
     return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
   };
   if(pieces == 1 && holes == 0 && handles == 0 && are_copies_lost)
-    return "a closed surface of genus 0, but of vertices at the same place glTF makes one again: name another "
-           "format for 'map'";
+    return "a closed surface of genus 0, but of vertices at the same place glTF makes one again: name another format "
+           "for 'map'";
   if(pieces == 1 && holes == 0 && handles == 0)
     return "a closed surface of genus 0, which 'map' accepts";
   return left(pieces, "component") + ", " + left(static_cast<std::size_t>(holes), "hole") + ", " +
@@ -162,7 +159,6 @@ Json report_of(const Prepared& prepared)
   if(prepared.preparation)
     for(const Glued_surface& part : prepared.preparation->parts)
       outputs.push_back({{"vertices", part.number_of_vertices()}, {"faces", part.number_of_faces()}});
-  const auto known = [](bool is_known, const Json& value) { return is_known ? value : Json(nullptr); };
   return {
     {"vertices", prepared.soup ? Json(prepared.soup->points.size()) : Json(nullptr)},
     {"faces", prepared.soup ? Json(prepared.soup->faces) : Json(nullptr)},
@@ -210,9 +206,8 @@ void say(Run& run, const Prepared& prepared)
   for(const std::string& sentence : done)
     text << sentence << '\n';
   if(share_of_area_kept(preparation) < 0.5)
-    text
-      << "most of the area was removed: --merge-distance unites parts that nearly meet, --wrap makes a surface around "
-         "all parts, --steps without largest keeps them\n";
+    text << "most of the area was removed: --merge-distance unites parts that nearly meet, --wrap makes a surface "
+            "around all parts, --steps without largest keeps them\n";
   text << (prepared.files.empty() ? "it would be: " : "it is now: ") << line.str()
        << "\nHausdorff distance to IN: " << distance.str();
   if(distance.str() != "0")
@@ -298,26 +293,23 @@ Work prepare_work()
   const auto own = std::make_shared<Prepare_options>();
   Work work = {[own](Run& run) { prepare_and_say(*own, run); }};
   Options& options = work.options;
-  options
-    .add(
-      "--steps", own->steps,
-      "What is done, separated by commas: merge (merge boundary vertices at the same position), orient (always done, "
-      "like removing invalid faces, and cutting non-manifold parts from each other), largest or split (keep the "
-      "component of largest area, or write each component as OUT_1, OUT_2, ..., none of which may exist), degenerate "
-      "(remove faces of area 0, which 'map' does not need), holes (fill holes), handles (cut handles of components "
-      "without holes, and close them). merge,orient alone does not change the shape, and is what 'map --prepare' does")
+  options(
+    "--steps", own->steps,
+    "What is done, separated by commas: merge (merge boundary vertices at the same position), orient (always done, "
+    "like removing invalid faces, and cutting non-manifold parts from each other), largest or split (keep the "
+    "component of largest area, or write each component as OUT_1, OUT_2, ..., none of which may exist), degenerate "
+    "(remove faces of area 0, which 'map' does not need), holes (fill holes), handles (cut handles of components "
+    "without holes, and close them). merge,orient alone does not change the shape, and is what 'map --prepare' does")
     .is("LIST");
-  options
-    .add("--merge-distance", own->merge_distance,
-         "Merge boundary vertices up to this distance, not only those at the same position [0]")
+  options("--merge-distance", own->merge_distance,
+          "Merge boundary vertices up to this distance, not only those at the same position [0]")
     .in("[0,inf)");
-  options.add("--wrap", own->wrap, "First replace the mesh, however broken it is, by a surface around it");
-  options
-    .add("--alpha", own->wrap_settings.alpha,
-         "Wrap: cavities that a ball of this radius cannot enter are filled [diagonal / 50]")
+  options("--wrap", own->wrap, "First replace the mesh, however broken it is, by a surface around it");
+  options("--alpha", own->wrap_settings.alpha,
+          "Wrap: cavities that a ball of this radius cannot enter are filled [diagonal / 50]")
     .in("(0,inf)")
     .only_with("--wrap");
-  options.add("--offset", own->wrap_settings.offset, "Wrap: distance of the surface from the mesh [diagonal / 1500]")
+  options("--offset", own->wrap_settings.offset, "Wrap: distance of the surface from the mesh [diagonal / 1500]")
     .in("(0,inf)")
     .only_with("--wrap");
   work.check = [own](const Request& request) { check_options(*own, request); };
@@ -333,8 +325,7 @@ Step prepare_step()
           {Takes::EACH, nullptr, "", Takes::NO_SPHERE, Prepare::NO, "", "Meshes with any defects, or folders of them"},
           {{"-o,--output",
             "Output file, in which the remaining vertices and faces of IN keep their order (without --output the "
-            "command only "
-            "prints what it would do)",
+            "command only prints what it would do)",
             {},
             Output::MESH},
            {"--vertex-map", "Write for each vertex of the output its index in IN, counted from 0, or -1 if it is new"},

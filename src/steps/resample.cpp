@@ -18,8 +18,6 @@
 namespace tool {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// What may be lost without a word, of the diagonal and of a side of the bounding box.
 constexpr double largest_distance = 0.01, largest_loss_of_box = 0.03;
 
@@ -111,9 +109,8 @@ void resample(const Resample_options& options, Run& run)
   run.write("--output", out, points, Surface::SHAPE);
   run.write("--output-sphere", out, target.sphere, Surface::SPHERE);
   const Sampling_loss loss = sampling_loss(run.mesh(), out, points);
-  const auto where = [](bool is_used, const auto& value) { return is_used ? Json(value) : Json(); };
-  run.details["resample"] = {{"level", where(options.sphere.empty(), options.level)},
-                             {"to_sphere", where(!options.sphere.empty(), options.sphere)},
+  run.details["resample"] = {{"level", known(options.sphere.empty(), options.level)},
+                             {"to_sphere", known(!options.sphere.empty(), options.sphere)},
                              {"vertices", out.number_of_vertices()},
                              {"distance", loss.distance},
                              {"bounding_box", loss.bounding_box}};
@@ -138,25 +135,22 @@ Work resample_work()
 {
   const auto own = std::make_shared<Resample_options>();
   Work work = {[own](Run& run) { resample(*own, run); }};
-  work.options.add("--level", own->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
+  Options& options = work.options;
+  options("--level", own->level, "The new mesh has 10 * 4^LEVEL + 2 vertices")
     .in("[0," + std::to_string(SP::largest_icosphere_level) + ']');
-  work.options.add(
-    "--to-sphere", own->sphere,
-    "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the map of IN has "
-    "to be registered to it, as --output-sphere of 'register' is");
-  work.options
-    .add("--data-weights", own->weights,
-         "How values of --data are resampled: linearly in a face of IN, or such that every vertex of IN contributes in "
-         "proportion to its area, even if the new mesh is coarser")
+  options("--to-sphere", own->sphere,
+          "The new mesh has the vertices and faces of this sphere instead, such as that of a template; the map of IN "
+          "has to be registered to it, as --output-sphere of 'register' is");
+  options("--data-weights", own->weights,
+          "How values of --data are resampled: linearly in a face of IN, or such that every vertex of IN contributes "
+          "in proportion to its area, even if the new mesh is coarser")
     .of({"linear", "area-preserving"});
-  work.options
-    .add("--area-surfaces", own->areas,
-         "Two surfaces that give the areas: one with the vertices of IN, one with the new vertices [IN, the output]")
+  options("--area-surfaces", own->areas,
+          "Two surfaces that give the areas: one with the vertices of IN, one with the new vertices [IN, the output]")
     .times(2)
     .only_with("--data-weights", {"area-preserving"});
-  work.options
-    .add("--data-labels", own->labels,
-         "Labels of --data: the label with the largest sum of weights, or that of the vertex with the largest weight")
+  options("--data-labels", own->labels,
+          "Labels of --data: the label with the largest sum of weights, or that of the vertex with the largest weight")
     .of({"majority", "nearest"});
   work.check = [own](const Request& request) {
     require(own->sphere.empty() || !request.has("--level"), "--to-sphere", "excludes --level");

@@ -14,11 +14,9 @@
 #include <filesystem>
 #include <iomanip>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace tool {
 namespace {
@@ -218,7 +216,7 @@ void search(const Search_options& options, Run& run)
        << (options.by_form ? "   form  relevance  " : "") << (has_comparisons ? "difference   alike  " : "") << "name"
        << std::fixed;
   for(const auto& [distance, name, form, comparison, refusal] : hits) {
-    nlohmann::ordered_json found = {{"distance", distance}, {"name", name}};
+    Json found = {{"distance", distance}, {"name", name}};
     text << '\n' << std::setw(8) << std::setprecision(4) << distance << "  ";
     if(form) {
       found.update({{"form_distance", form->distance}, {"relevance", form->relevance}});
@@ -253,29 +251,24 @@ Work search_work()
 {
   const auto own = std::make_shared<Search_options>();
   Work work = {[own](Run& run) { search(*own, run); }};
-  work.options
-    .add("--index", own->index,
-         "Index that the command 'signature' has written; for a table .csv, the file .db "
-         "next to it is read")
+  Options& options = work.options;
+  options("--index", own->index,
+          "Index that the command 'signature' has written; for a table .csv, the file .db next to it is read")
     .required();
-  work.options.add("-k,--number", own->number, "Number of meshes to list").in("[1,2147483647]");
-  work.options.add(
-    "--form", own->by_form,
-    "For things that have one pose: compare the 500 nearest meshes by their form, too, and order them by chains of "
-    "similar meshes");
-  work.options
-    .add("--rerank", own->rerank,
-         "Compare QUERY with so many of the nearest meshes by registration, and order these by the distance times the "
-         "difference of corresponding points")
+  options("-k,--number", own->number, "Number of meshes to list").in("[1,2147483647]");
+  options("--form", own->by_form,
+          "For things that have one pose: compare the 500 nearest meshes by their form, too, and order them by chains "
+          "of similar meshes");
+  options("--rerank", own->rerank,
+          "Compare QUERY with so many of the nearest meshes by registration, and order these by the distance times the "
+          "difference of corresponding points")
     .in("[1,2147483647]");
-  work.options.add(
-    "--changes", own->changes,
-    "With --rerank: write QUERY with a property 'change_1', 'change_2', ... of its faces for each mesh that was "
-    "compared, in the order of the lines: how many times lengths change on the way to that mesh (.ply)");
-  work.options.add(
-    "--picture", own->picture,
-    "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property 'place' "
-    "of the faces: 0 for QUERY, 1 for the first line, ... (.ply)");
+  options("--changes", own->changes,
+          "With --rerank: write QUERY with a property 'change_1', 'change_2', ... of its faces for each mesh that was "
+          "compared, in the order of the lines: how many times lengths change on the way to that mesh (.ply)");
+  options("--picture", own->picture,
+          "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property "
+          "'place' of the faces: 0 for QUERY, 1 for the first line, ... (.ply)");
   work.check = [own](const Request&) {
     require(own->changes.empty() || own->rerank > 0, "--changes", "requires --rerank");
     for(const auto& [option, file] : {std::pair("--changes", own->changes), std::pair("--picture", own->picture)})

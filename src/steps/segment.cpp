@@ -12,8 +12,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <set>
 
 namespace tool {
 namespace {
@@ -153,16 +151,14 @@ Work segment_work()
   const auto own = std::make_shared<Segment_options>();
   const auto shape = std::make_shared<Labelled_shape>();
   Work work = {[own, shape](Run& run) { segment(*own, *shape, run); }};
-  work.options
-    .add("--segments", own->number, "Number of segments to aim at; there may be fewer [as many as the shape has]")
+  Options& options = work.options;
+  options("--segments", own->number, "Number of segments to aim at; there may be fewer [as many as the shape has]")
     .in("[1,inf)");
-  work.options.add(
-    "--like", own->like,
-    "A mesh: every segment gets the label and the colour of the segment of this mesh that corresponds to it, by "
-    "registration. The line of a mesh and the report say how far to trust the labels: sure, unsure or unlike");
-  work.options
-    .add("--like-labels", own->like_labels,
-         "A label for each face of that mesh, a whole number, one per line [its segments]")
+  options("--like", own->like,
+          "A mesh: every segment gets the label and the colour of the segment of this mesh that corresponds to it, by "
+          "registration. The line of a mesh and the report say how far to trust the labels: sure, unsure or unlike");
+  options("--like-labels", own->like_labels,
+          "A label for each face of that mesh, a whole number, one per line [its segments]")
     .only_with("--like");
   work.reads = [own](const Request&) {
     return Work::Files{{"--like", own->like}, {"--like-labels", own->like_labels}};

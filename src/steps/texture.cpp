@@ -4,7 +4,6 @@
 #include "runner/step.h"
 
 #include "input/files.h"
-#include "system/standard_output.h"
 
 #include <CGAL/Spherical_parameterization/texture_coordinates.h>
 
@@ -12,7 +11,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <sstream>
 
 namespace tool {
@@ -140,13 +138,11 @@ Work texture_work()
 {
   const auto own = std::make_shared<Own_options>();
   Work work = {[own](Run& run) { texture(*own, run); }};
-  work.options.add("--chart", own->chart, "Parameterization of the sphere over the plane")
+  Options& options = work.options;
+  options("--chart", own->chart, "Parameterization of the sphere over the plane")
     .of({"latitude-longitude", "octahedral"});
-  work.options.add("--north", own->north, "North pole on the sphere [that of the least distorted texture]")
-    .is("X Y Z")
-    .times(3);
-  work.options.add("--image", own->image,
-                   "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf");
+  options("--north", own->north, "North pole on the sphere [that of the least distorted texture]").is("X Y Z").times(3);
+  options("--image", own->image, "Image of the material, instead of a checker; PNG or JPEG for .glb and .gltf");
   work.check = [own](const Request& request) {
     require(!own->north || *own->north != std::array<double, 3>{0, 0, 0}, "--north", "must not be the zero vector");
     require(request.file() != standard_stream || !is_obj(request), "--output",

@@ -8,8 +8,6 @@
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 #include <CGAL/Spherical_parameterization/segmentation.h>
 
-#include <vector>
-
 namespace tool {
 namespace {
 

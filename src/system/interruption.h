@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H
+#pragma once
 
 #include "system/refusal.h"
 
@@ -35,5 +34,3 @@ void stop_if_interrupted(const std::string& input);
 void die_if_interrupted();
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_INTERRUPTION_H

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_REFUSAL_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_REFUSAL_H
+#pragma once
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 
@@ -94,5 +93,3 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
 int exit_code_of(const std::optional<Refusal>& refusal);
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_REFUSAL_H

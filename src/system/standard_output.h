@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_STANDARD_OUTPUT_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_STANDARD_OUTPUT_H
+#pragma once
 
 #include <string>
 
@@ -34,5 +33,3 @@ void flush_standard_output();
 /// @}
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_STANDARD_OUTPUT_H

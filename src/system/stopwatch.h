@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_TOOL_STOPWATCH_H
-#define SPHERICAL_PARAMETERIZATION_TOOL_STOPWATCH_H
+#pragma once
 
 #include <chrono>
 
@@ -18,5 +17,3 @@ public:
 };
 
 } // namespace tool
-
-#endif // SPHERICAL_PARAMETERIZATION_TOOL_STOPWATCH_H

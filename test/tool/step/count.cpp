@@ -20,7 +20,7 @@ Step count_step()
               run.line = std::to_string(number) + (*counts_faces ? " faces" : " vertices");
               run.text = run.name_of_input() + ": " + run.line;
             }};
-            work.options.add("--faces", *counts_faces, "Count the faces");
+            work.options("--faces", *counts_faces, "Count the faces");
             return work;
           },
           "count bunny.ply -o count.txt"};

@@ -4,7 +4,8 @@
 # Draws which room includes which, from the #include lines of the tree: a box per folder of internal/, per group of
 # public headers and per folder of programs. Includes that follow from others are left out; those against the order of
 # the rooms are red. Default output: doc/images/architecture.svg.
-# --list: prints the includes against the order, file by file, and fails if there are any. It does not need graphviz.
+# --list: prints the includes against the order, file by file, and lines that name internals outside the package, and
+# fails if there are any. It does not need graphviz.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
@@ -105,6 +106,7 @@ by_direction() {
 if [ "${1:-}" = --list ]; then
   against=$(includes | by_direction against)
   [ -z "$against" ] || { echo "$against" | awk '{ print $1 " -> " $2 ": " $3 " includes " $4 }' | sort; exit 1; }
+  if git ls-files src python examples web fuzz | grep -E '\.(h|cpp)$' | xargs grep -Hn 'internal::'; then exit 1; fi
   exit 0
 fi
 output=$(realpath -m -- "${1:-$root/doc/images/architecture.svg}")

@@ -10,6 +10,7 @@
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/edge_weights.h>
+#include <CGAL/Spherical_parameterization/for_each_index.h>
 #include <CGAL/Spherical_parameterization/harmonic_alignment.h>
 #include <CGAL/Spherical_parameterization/harmonic_files.h>
 #include <CGAL/Spherical_parameterization/harmonic_grids.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/for_each_index.h>
 #include <CGAL/Spherical_parameterization/internal/surface/midpoint_refinement.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
@@ -213,7 +213,7 @@ public:
     std::int32_t* const face = faces.mutable_data();
     auto* const weight = reinterpret_cast<std::array<double, 3>*>(weights.mutable_data());
     on(policy, [&](const auto& p) {
-      SP::internal::loop_of<std::decay_t<decltype(p)>>().for_each(static_cast<int>(queries.size()), [&](int i) {
+      SP::for_each_index(p, static_cast<int>(queries.size()), [&](int i) {
         const auto [f, w] = locator_.locate(queries[i]);
         face[i] = f.idx();
         weight[i] = {w[1], w[2], w[0]}; // the halfedge of a face starts at its last corner

@@ -5,7 +5,7 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/for_each_index.h>
 
 #include <algorithm>
 #include <atomic>
@@ -292,7 +292,7 @@ private:
   static bool for_all_rows(std::size_t count, Read read)
   {
     std::atomic<bool> are_good{true};
-    SP::internal::for_each_index(SP::internal::Host_loop(true), static_cast<int>(count), [&](int row) {
+    SP::for_each_index(CGAL::Parallel_tag(), static_cast<int>(count), [&](int row) {
       if(are_good && !read(static_cast<std::size_t>(row)))
         are_good = false;
     });

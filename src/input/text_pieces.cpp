@@ -5,7 +5,7 @@
 
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,7 +26,7 @@ std::vector<std::string_view> pieces_of(std::string_view text)
 std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& pieces)
 {
   std::vector<std::size_t> numbers(pieces.size());
-  SP::internal::Host_loop(true).for_each(static_cast<int>(pieces.size()), [&](int i) {
+  SP::for_each_index(CGAL::Parallel_tag(), static_cast<int>(pieces.size()), [&](int i) {
     const std::string_view piece = pieces[i];
     numbers[i] =
       static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n')) + (piece.back() != '\n' ? 1 : 0);
@@ -37,7 +37,7 @@ std::vector<std::size_t> numbers_of_lines(const std::vector<std::string_view>& p
 std::optional<Soup> read_pieces(std::size_t number, const std::function<std::optional<Soup>(std::size_t)>& read)
 {
   std::vector<std::optional<Soup>> pieces(number);
-  SP::internal::Host_loop(true).for_each(static_cast<int>(number), [&](int i) {
+  SP::for_each_index(CGAL::Parallel_tag(), static_cast<int>(number), [&](int i) {
     try {
       pieces[i] = read(i);
     } catch(const Refusal&) { // whoever reads the whole text will throw it
@@ -60,7 +60,7 @@ std::optional<Soup> read_pieces(std::size_t number, const std::function<std::opt
   }
   soup.points.resize(points);
   soup.triangles.resize(triangles);
-  SP::internal::Host_loop(true).for_each(static_cast<int>(number), [&](int i) {
+  SP::for_each_index(CGAL::Parallel_tag(), static_cast<int>(number), [&](int i) {
     std::copy(pieces[i]->points.begin(), pieces[i]->points.end(), soup.points.data() + first_point[i]);
     std::copy(pieces[i]->triangles.begin(), pieces[i]->triangles.end(), soup.triangles.data() + first_triangle[i]);
     pieces[i].reset();

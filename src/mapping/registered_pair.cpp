@@ -12,7 +12,7 @@
 #include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/for_each_index.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>
 #include <CGAL/tags.h>
 
@@ -275,13 +275,12 @@ void register_pair(const Registration_options& options, Registered_pair& pair)
                         as_map(pair.registered), registration, landmarks, watched);
     if(pair.result) {
       const SP::Spherical_locator<Mesh> locator(policy, b, as_map(pair.b.sphere));
-      SP::internal::loop_of<std::decay_t<decltype(policy)>>().for_each(
-        static_cast<int>(pair.registered.size()), [&](int v) {
-          const SP::Face_location<Mesh> location = locator.locate(pair.registered[v]);
-          const auto& [last, first, second] = location.second; // halfedge(face) begins at the last corner
-          pair.places_on_b[v] = {location.first.idx(), {first, second, last}};
-          pair.points_on_b[v] = SP::interpolate(b, location, as_map(b.points()));
-        });
+      SP::for_each_index(policy, static_cast<int>(pair.registered.size()), [&](int v) {
+        const SP::Face_location<Mesh> location = locator.locate(pair.registered[v]);
+        const auto& [last, first, second] = location.second; // halfedge(face) begins at the last corner
+        pair.places_on_b[v] = {location.first.idx(), {first, second, last}};
+        pair.points_on_b[v] = SP::interpolate(b, location, as_map(b.points()));
+      });
     }
   });
   bar.hide();

@@ -223,9 +223,9 @@ TEST_CASE("far from the origin harmonics keep their digits", "[harmonics]")
   };
   const auto check = [&](const auto& method) {
     const auto analysis = [&](double shift) {
-      const Sphere_with_points shape(3, [&](const Point& p) { // of 2^-20, so that nothing is rounded
-        return Point(std::nearbyint(std::ldexp(bump(p), 20)) / std::ldexp(1, 20) + shift, p.y() - shift, p.z());
-      });
+      const auto cut = [](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, 20)), -20); }; // rounds nothing
+      const Sphere_with_points shape(
+        3, [&](const Point& p) { return Point(cut(bump(p)) + shift, cut(p.y()) - shift, p.z()); });
       Coefficients found = SP::harmonic_analysis(shape.mesh, shape.mesh.points(), shape.map(), 8, method,
                                                  CGAL::parameters::vertex_point_map(shape.map()))
                              .coefficients;

@@ -203,7 +203,7 @@ std::pair<double, double> vertex_log_area_stretch(const ExecutionPolicy& policy,
 {
   const auto loop = internal::host_loop(policy);
   const internal::Mapped_surface map =
-    internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::CHECKED, loop);
+    internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::MEASURED, loop);
   return internal::put_values(vertices(mesh), internal::vertex_stretch(loop, map), stretch_map);
 }
 CGAL_SP_ON_ONE_CORE(vertex_log_area_stretch)

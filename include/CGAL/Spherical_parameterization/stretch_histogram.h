@@ -45,7 +45,7 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
   CGAL_SP_PRECONDITION(options.number_of_samples >= 1, "a histogram has one sample or more");
   const auto loop = internal::host_loop(policy);
   const internal::Mapped_surface map =
-    internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::CHECKED, loop);
+    internal::read_map(mesh, internal::vertex_points(mesh, np), sphere_map, internal::Reading::MEASURED, loop);
   return internal::stretch_shares(loop, map, options);
 }
 CGAL_SP_ON_ONE_CORE(stretch_histogram)

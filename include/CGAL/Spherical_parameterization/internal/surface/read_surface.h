@@ -35,6 +35,7 @@ namespace CGAL::Spherical_parameterization::internal {
 enum class Reading {
   UNCHECKED, ///< any triangles, to be looked at one by one; vertices have the numbers of the mesh
   CHECKED,   ///< a closed, connected surface of genus 0 with finite points; vertices have the numbers of the mesh
+  MEASURED,  ///< the same, and the coordinates are not rounded
   /// The same in breadth-first order: neighbours then lie close together in memory, which more than halves the time of
   /// every sweep on large meshes, whatever the order of the input.
   BREADTH_FIRST
@@ -127,7 +128,8 @@ Surface read_surface(const TriangleMesh& mesh, VertexPointMap points, Reading re
   if(bad < n && reading != Reading::UNCHECKED)
     throw Input_error(Error_code::NON_FINITE_COORDINATE,
                       "vertex " + std::to_string(surface.position.empty() ? bad : surface.position[bad]));
-  reading == Reading::UNCHECKED ? scale_exactly(surface.point) : scale_to_unit_box(surface.point);
+  const bool is_measured = reading == Reading::UNCHECKED || reading == Reading::MEASURED;
+  is_measured ? scale_exactly(surface.point) : scale_to_unit_box(surface.point);
   return surface;
 }
 

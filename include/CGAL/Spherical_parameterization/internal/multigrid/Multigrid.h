@@ -95,8 +95,6 @@ public:
   const Level& level(std::size_t k) const { return levels_[k]; }
   int size(std::size_t k) const { return levels_[k].size(); }
   const Matrix& matrix(std::size_t k) const { return levels_[k].matrix; }
-  /// the vertex of level k+1 into which each vertex of level k went; -1 for fixed ones
-  const Host_array<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregates->of_vertex; }
   /// The inverse of the last level, if that is small enough to have one; else empty: it is as good as diagonal.
   const typename Backend::Scalars& bottom_inverse() const { return bottom_inverse_; }
 

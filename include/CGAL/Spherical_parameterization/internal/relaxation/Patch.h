@@ -173,7 +173,8 @@ public:
   {
     constexpr double longest_step = 0.5; // as an angle
     moves_ += size();
-    find_tangents();
+    for(int i = 0; i < size(); ++i)
+      tangents_[i] = tangents_at(v_[vertex_[i]]);
     Step result = {0, 0, false, 0, 0};
     const int first_attempt = attempt_;
     for(bool has_lift = false; attempt_ < number_of_attempts; ++attempt_) {
@@ -230,12 +231,6 @@ private:
         if(const int i = f.moving[m], j = f.moving[(m + 1) % 3]; i >= 0 && j >= 0)
           result[i].push_back(j);
     return result;
-  }
-
-  void find_tangents()
-  {
-    for(int i = 0; i < size(); ++i)
-      tangents_[i] = tangents_at(v_[vertex_[i]]);
   }
 
   /// The gradient, the second derivatives, and what lifts their negative eigenvalues. Returns the energy.

@@ -56,7 +56,7 @@ public:
       landmark_of_b.push_back(w);
     }
     loop.monitor().begin_stage(0, Spectral_matching<Host_loop>::share_of_work / 3); // which the matching shares
-    const Coarse_map coarse_a = coarse(a, landmark_of_a), coarse_b = coarse(b, landmark_of_b);
+    const Coarse_map coarse_a(loop, a, landmark_of_a, most_vertices), coarse_b(loop, b, landmark_of_b, most_vertices);
     typename Spectral_matching<Host_loop>::Landmarks coarse_landmarks;
     for(const auto& [v, w] : landmarks)
       coarse_landmarks.emplace_back(coarse_a.number_of(v), coarse_b.number_of(w));
@@ -140,11 +140,6 @@ public:
 
 private:
   static constexpr int most_vertices = 5500, most_places = 100;
-
-  Coarse_map coarse(const Registered_surface& surface, const std::vector<int>& kept) const
-  {
-    return Coarse_map(loop_, surface, surface.point, surface.image, kept, most_vertices);
-  }
 
   /// Root mean square, of the features where x puts the vertices of a coarse surface, which are those vertices of A.
   double mismatch(const Registered_surface& coarse_a, const std::vector<int>& vertex,

@@ -21,7 +21,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cstddef>
 
 namespace CGAL::Spherical_parameterization {
 

@@ -114,15 +114,6 @@ namespace internal {
 
 typedef std::vector<std::vector<std::pair<int, double>>> Weight_rows; ///< vertices in their order, and weights
 
-template <class Points>
-Host_array<vec3> vectors_of(const Points& points)
-{
-  Host_array<vec3> result;
-  for(const auto& p : points)
-    result.push_back(coordinates(p));
-  return result;
-}
-
 /// Barycentric weights at directions; those that are rounding are left out.
 template <class Loop, class TriangleMesh>
 Weight_rows weight_rows(const Loop& loop, const Spherical_locator<TriangleMesh>& from,

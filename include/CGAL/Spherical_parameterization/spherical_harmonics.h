@@ -103,9 +103,7 @@ std::vector<double> harmonic_values(const ExecutionPolicy& policy, const Harmoni
                                     const DirectionRange& directions,
                                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::Host_array<internal::vec3> direction;
-  for(const auto& d : directions)
-    direction.push_back(internal::coordinates(d));
+  const internal::Host_array<internal::vec3> direction = internal::vectors_of(directions);
   internal::check_finite(coefficients);
   internal::check_directions(direction);
   internal::Monitor monitor = internal::make_monitor(np);

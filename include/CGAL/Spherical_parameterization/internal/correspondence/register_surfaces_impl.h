@@ -27,8 +27,6 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

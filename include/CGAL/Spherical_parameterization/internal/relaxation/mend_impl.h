@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Patch.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>

@@ -20,7 +20,6 @@
 #include <complex>
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

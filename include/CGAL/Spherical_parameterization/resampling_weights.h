@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLING_WEIGHTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLING_WEIGHTS_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>

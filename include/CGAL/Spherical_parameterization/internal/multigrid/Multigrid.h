@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_MULTIGRID_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_MULTIGRID_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/dense_inverse.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
-#include <CGAL/Spherical_parameterization/internal/relaxation/untangling_energy.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Patch.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <catch2/catch.hpp>

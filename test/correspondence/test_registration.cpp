@@ -652,7 +652,7 @@ TEST_CASE("of answers that are equally good that one is taken which brings toget
     paint.b.push_back(side * p.x);
     square += p.x * p.x / double(b.point.size());
   }
-  I::Spectral_registration<> found(watched, monitor, a, b, locator, paint, {});
+  I::Spectral_registration<> found(watched, a, b, locator, paint, {});
   REQUIRE(!found.image.empty());
   CHECK(std::abs(found.margin) < 0.1);
   CHECK(I::refine(loop, a, b, paint, {}, {0, 0, 0, 0}, monitor, found.image).mismatch < 0.1 * square);
@@ -697,7 +697,7 @@ TEST_CASE("a few places that are wrong are let go, and do not drag the others al
     for(std::size_t k = 0; k < candidates.size(); k += 10)
       goal.place[candidates[k]] = a.image[n - 1 - candidates[k]];
   }
-  I::Map_to_goal<> found(watched, monitor, a, a, locator, goal, 0, 1);
+  I::Map_to_goal<> found(watched, a, a, locator, goal, 0, 1);
   REQUIRE(!found.image().empty());
   CHECK(distance(found.image()) < 0.2); // the radius is about 1
   found.move_all();

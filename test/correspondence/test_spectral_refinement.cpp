@@ -31,7 +31,7 @@ TEST_CASE("by all of its eigenfunctions a body with limbs is mapped to itself ve
   Monitor monitor(1e9, {}, false);
   const Mapped_surface map = read_map(mesh, mesh.points(), images, Reading::CHECKED, loop);
   const Watched_loop<Host_loop> watched(loop, monitor);
-  const Coarse_map of_area_1(watched, map.copy_of_corner_table(loop), map.point, map.image, {}, 1 << 20);
+  const Coarse_map of_area_1(watched, {map.copy_of_corner_table(loop), map.point, map.image}, {}, 1 << 20);
   const Spectral_shape<Host_loop> shape(loop, of_area_1, monitor);
   typedef Spectral_refinement<Host_loop> Refinement;
   const Refinement refinement(watched, shape, shape, {}, false);

@@ -5,7 +5,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
-#include <CGAL/Spherical_parameterization/internal/relaxation/untangling_energy.h>
+#include <CGAL/Spherical_parameterization/internal/relaxation/Patch.h>
 
 #include <catch2/catch.hpp>
 

@@ -107,22 +107,20 @@ public:
   /// \param points     as above
   /// \param triangles  as above
   template <class ExecutionPolicy, class PointRange, class TriangleRange>
-  Indexed_triangle_mesh(const ExecutionPolicy&, const PointRange& points, const TriangleRange& triangles)
+  Indexed_triangle_mesh(const ExecutionPolicy& policy, const PointRange& points, const TriangleRange& triangles)
   {
-    static_assert(internal::is_supported_policy<ExecutionPolicy>(), "not an execution policy of this package");
     read(points, triangles);
-    check(internal::loop_of<ExecutionPolicy>());
+    check(internal::host_loop(policy));
   }
 
   /// \cond SKIP_IN_MANUAL
   /// The same of arrays that are not copied.
   template <class ExecutionPolicy>
-  Indexed_triangle_mesh(const ExecutionPolicy&, std::vector<Point>&& points,
+  Indexed_triangle_mesh(const ExecutionPolicy& policy, std::vector<Point>&& points,
                         internal::Host_array<std::array<int, 3>>&& triangles)
     : point_(std::move(points))
   {
-    static_assert(internal::is_supported_policy<ExecutionPolicy>(), "not an execution policy of this package");
-    const internal::Host_loop loop = internal::loop_of<ExecutionPolicy>();
+    const internal::Host_loop loop = internal::host_loop(policy);
     table_.face = std::move(triangles);
     check_sizes(point_.size(), table_.face.size());
     const int n = static_cast<int>(point_.size()), m = static_cast<int>(table_.face.size());

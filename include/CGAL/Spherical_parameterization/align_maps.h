@@ -21,7 +21,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cstddef>
 
 namespace CGAL::Spherical_parameterization {
 
@@ -35,17 +34,10 @@ template <class TriangleMesh, class PointMap>
 Sampled_fields sampled_points(const Host_loop& loop, const Spherical_locator<TriangleMesh>& locator, PointMap points,
                               const Latitude_rows& grid)
 {
-  const Host_array<vec3> directions = grid.directions();
-  Sampled_fields fields = {3, Host_array<double>(3 * directions.size())};
-  std::size_t i = 0;
-  for(const auto& place : locate_all(loop, locator, directions)) {
-    const vec3 p = coordinates(interpolate(locator.mesh(), place, points));
-    fields.value[i] = p.x;
-    fields.value[directions.size() + i] = p.y;
-    fields.value[2 * directions.size() + i] = p.z;
-    ++i;
-  }
-  return fields;
+  Host_array<vec3> sample;
+  for(const auto& place : locate_all(loop, locator, grid.directions()))
+    sample.push_back(coordinates(interpolate(locator.mesh(), place, points)));
+  return coordinate_fields(sample);
 }
 
 } // namespace internal

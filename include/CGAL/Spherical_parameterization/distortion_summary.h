@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/length_changes.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/summarize.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/measure_distortion.h>

@@ -12,7 +12,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/ellipsoid.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
 
 namespace CGAL::Spherical_parameterization {

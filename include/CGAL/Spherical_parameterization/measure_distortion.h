@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/distortion/vertex_means.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLING_WEIGHTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_RESAMPLING_WEIGHTS_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
@@ -113,15 +112,6 @@ private:
 namespace internal {
 
 typedef std::vector<std::vector<std::pair<int, double>>> Weight_rows; ///< vertices in their order, and weights
-
-template <class Points>
-Host_array<vec3> vectors_of(const Points& points)
-{
-  Host_array<vec3> result;
-  for(const auto& p : points)
-    result.push_back(coordinates(p));
-  return result;
-}
 
 /// Barycentric weights at directions; those that are rounding are left out.
 template <class Loop, class TriangleMesh>

@@ -16,7 +16,6 @@
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/shapes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/specificity.h>
-#include <CGAL/Spherical_parameterization/internal/statistics/vertex_figures.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <algorithm>

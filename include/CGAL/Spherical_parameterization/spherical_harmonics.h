@@ -16,17 +16,34 @@
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/read_fields.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization {
+
+namespace internal {
+
+/// The values of a vertex map, numbers or vectors, as one or three fields.
+template <class TriangleMesh, class VertexMap>
+Sampled_fields read_fields(const TriangleMesh& mesh, VertexMap map)
+{
+  if constexpr(std::is_arithmetic_v<typename boost::property_traits<VertexMap>::value_type>) {
+    Sampled_fields result = {1, {}};
+    for(auto v : vertices(mesh))
+      result.value.push_back(static_cast<double>(get(map, v)));
+    return result;
+  } else
+    return coordinate_fields(vectors_at(vertices(mesh), map));
+}
+
+} // namespace internal
 
 /// \addtogroup PkgSphericalParameterizationHarmonics
 /// @{
@@ -86,9 +103,7 @@ std::vector<double> harmonic_values(const ExecutionPolicy& policy, const Harmoni
                                     const DirectionRange& directions,
                                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  internal::Host_array<internal::vec3> direction;
-  for(const auto& d : directions)
-    direction.push_back(internal::coordinates(d));
+  const internal::Host_array<internal::vec3> direction = internal::vectors_of(directions);
   internal::check_finite(coefficients);
   internal::check_directions(direction);
   internal::Monitor monitor = internal::make_monitor(np);

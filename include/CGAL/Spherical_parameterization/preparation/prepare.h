@@ -163,10 +163,7 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
     CGAL_SP_PRECONDITION(settings.wrap->offset.value_or(1) > 0, "the offset of a wrap is positive");
   }
   internal::Monitor monitor = internal::make_monitor(np);
-  return prepare(soup, settings, std::function<void()>([&monitor] {
-                   if(!monitor.may_loop_go_on())
-                     monitor.advance_or_throw();
-                 }));
+  return prepare(soup, settings, std::function<void()>([&monitor] { monitor.go_on_if(monitor.may_loop_go_on()); }));
 }
 
 /// \param soup  points and triangles

@@ -146,18 +146,11 @@ private:
   static constexpr int lanes = 64;
 
   /// What a formula sees of an argument of a verb
-  template <class T>
-  static const T* view(const Array<T>& x)
+  template <class Elements>
+  static auto view(Elements& x) -> decltype(x.data())
   {
     return x.data();
   }
-  template <class T>
-  static T* view(Array<T>& x)
-  {
-    return x.data();
-  }
-  static const float4* view(const Steps& x) { return x.data(); }
-  static float4* view(Steps& x) { return x.data(); }
   static graph_view view(const Matrix& a) { return a->view(); }
   static smoother_view view(const Smoother& a) { return a->view(); }
   static aggregates_view view(const Aggregates& of) { return of->view(); }

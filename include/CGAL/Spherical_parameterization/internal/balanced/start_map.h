@@ -103,7 +103,7 @@ struct Coarse_mesh {
     const int lost = first_index(loop, problem.size(), [&](int i) {
       int c = i;
       for(std::size_t level = 0; level < k && c >= 0; ++level)
-        c = multigrid.aggregate_of(level)[c];
+        c = multigrid.level(level).aggregates->of_vertex[c];
       vertex_of[i] = c;
       return c < 0;
     });

@@ -66,9 +66,12 @@ public:
   bool may_loop_go_on() { return ask(0.005); }
 
   /// The same where there is nothing yet that could be handed out. Throws Error if the computation has to end.
-  void advance_or_throw(double fraction = 0)
+  void advance_or_throw(double fraction = 0) { go_on_if(advance(fraction)); }
+
+  /// Throws Error if the answer of one of the functions above was no.
+  void go_on_if(bool may_go_on) const
   {
-    if(!advance(fraction))
+    if(!may_go_on)
       throw Input_error(Error_code::INTERRUPTED, reason());
   }
 

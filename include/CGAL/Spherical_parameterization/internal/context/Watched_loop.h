@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_WATCHED_LOOP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_WATCHED_LOOP_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -21,10 +20,10 @@ public:
   Monitor& monitor() const { return monitor_; }
 
   /// How far the stage of the work has come. Throws Error if it has to end.
-  void advance(double fraction) const { go_on_if(monitor_.advance(fraction)); }
+  void advance(double fraction) const { monitor_.advance_or_throw(fraction); }
 
   /// Throws Error if the work has to end.
-  void check() const { go_on_if(monitor_.may_go_on()); }
+  void check() const { monitor_.go_on_if(monitor_.may_go_on()); }
 
   /// From here on fractions are within this part of the work.
   void begin_stage(double begin, double end) const
@@ -38,18 +37,12 @@ public:
   void for_each(int count, F f) const
   {
     loop_.for_each(count, [&](int i) {
-      go_on_if(monitor_.may_loop_go_on());
+      monitor_.go_on_if(monitor_.may_loop_go_on());
       f(i);
     });
   }
 
 private:
-  void go_on_if(bool may_go_on) const
-  {
-    if(!may_go_on)
-      throw Input_error(Error_code::INTERRUPTED, monitor_.reason());
-  }
-
   Loop loop_;
   Monitor& monitor_;
 };

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
@@ -81,9 +80,9 @@ class Map_to_goal {
 public:
   /// Pulls some vertices to their places. Throws Error if there is no time for that.
   /// \param begin, end  the stage of the work
-  Map_to_goal(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& a,
-              const Registered_surface& b, const Locator& locator_b, Registration_goal goal, double begin, double end)
-    : loop_(loop), monitor_(monitor), b_(b), goal_(std::move(goal)), from_{{a.face, a.twin}, a.point, {}}
+  Map_to_goal(const Watched_loop<Host_loop>& loop, const Registered_surface& a, const Registered_surface& b,
+              const Locator& locator_b, Registration_goal goal, double begin, double end)
+    : loop_(loop), b_(b), goal_(std::move(goal)), from_{{a.face, a.twin}, a.point, {}}
   {
     constexpr double pull = 3000;
     constexpr int most_solutions = 3;
@@ -96,8 +95,8 @@ public:
     Solution solution;
     for(int k = 0; k < most_solutions && (k == 0 || is_held_anew(problem, goal_.landmarks, solution.position)); ++k)
       try {
-        monitor.begin_stage(begin + k * part, begin + (k + 1) * part);
-        solution = solve_isometric(loop.bare(), method, problem, {}, monitor);
+        loop.monitor().begin_stage(begin + k * part, begin + (k + 1) * part);
+        solution = solve_isometric(loop.bare(), method, problem, {}, loop.monitor());
       } catch(const Input_error&) { // no more time
         if(k == 0)
           throw;
@@ -106,7 +105,7 @@ public:
     if(!solution.certificate.is_valid())
       return;
     image_ = std::move(solution.position);
-    put_in_place(loop.bare(), a.face, goal_.landmarks, monitor, image_);
+    put_in_place(loop.bare(), a.face, goal_.landmarks, loop.monitor(), image_);
     from_.image = image_;
     compare_with_targets(locator_b);
   }
@@ -124,7 +123,7 @@ public:
     if(image_.empty())
       return 0;
     return static_cast<std::size_t>(refine(loop_.bare(), from_, b_, targets_, goal_.landmarks,
-                                           {0, isometry_weight, most_iterations, accuracy}, monitor_, image_)
+                                           {0, isometry_weight, most_iterations, accuracy}, loop_.monitor(), image_)
                                       .iterations);
   }
 
@@ -165,7 +164,6 @@ private:
   }
 
   const Watched_loop<Host_loop>& loop_;
-  Monitor& monitor_;
   const Registered_surface& b_;
   Registration_goal goal_;
   Registered_surface from_; ///< A, with the map whose deformation is held small

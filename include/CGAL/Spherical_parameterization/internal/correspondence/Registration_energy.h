@@ -8,10 +8,9 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
-#include <CGAL/Spherical_parameterization/internal/locate/walk.h>
+#include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/surface/fans.h>
@@ -100,9 +99,9 @@ public:
   /// Infinite where a face is flipped; nothing is compared then.
   double value(const Host_array<vec3>& x)
   {
-    distortion_ = sum_by_parts(loop_, static_cast<int>(a_.face.size()),
-                               [&](int f) { return Star_face_at(*this, x, 3 * f).energy(); }) /
-                  area_;
+    distortion_ =
+      sum_by_parts(loop_, static_cast<int>(a_.face.size()), [&](int f) { return Face_of_map(*this, x, f).energy(); }) /
+      area_;
     if(!(distortion_ < std::numeric_limits<double>::infinity()))
       return distortion_;
     compare(x);
@@ -122,19 +121,18 @@ public:
       sum_by_parts(loop_, static_cast<int>(x.size()), [&](int i) { return surface_part_[i] * mismatch_at(i); }) /
       surface_area;
     if(isometry_weight_ > 0)
-      stretching_ =
-        sum_by_parts(loop_, static_cast<int>(a_.face.size()), [&](int f) { return carried(3 * f).energy(); }) /
-        surface_area;
+      stretching_ = sum_by_parts(loop_, static_cast<int>(a_.face.size()), [&](int f) { return carried(f).energy(); }) /
+                    surface_area;
   }
 
   /// The gradient, tangent to the sphere, at the x of the last `value()`, which has to be finite.
   void gradient(const Host_array<vec3>& x, Host_array<vec3>& result)
   {
     for_each_index(loop_, static_cast<int>(a_.face.size()), [&](int f) {
-      const Face_hessian of_map = Star_face_at(*this, x, 3 * f).derivatives(0);
+      const Face_hessian of_map = Face_of_map(*this, x, f).derivatives(0);
       std::array<vec3, 3> of_surface = {};
       if(isometry_weight_ > 0)
-        of_surface = carried(3 * f).gradients();
+        of_surface = carried(f).gradients();
       for(int c = 0; c < 3; ++c)
         force_[3 * f + c] = add_scaled(scale(1 / area_, of_map.gradient(c)), isometry_weight_ / surface_area,
                                        on_sphere(a_.face[f][c], of_surface[c]));
@@ -168,7 +166,7 @@ public:
   {
     Face_blocks result;
     const std::array<int, 3>& corner = a_.face[f];
-    const Face_hessian of_map = Star_face_at(*this, x, 3 * f).derivatives(1);
+    const Face_hessian of_map = Face_of_map(*this, x, f).derivatives(1);
     std::array<Face_hessian::Frame, 3> frame;
     for(int m = 0; m < 3; ++m)
       frame[m] = of_map.frame(m, tangents(corner[m]));
@@ -179,7 +177,7 @@ public:
       result.bend[m] = -inner(of_map.gradient(m), x[corner[m]]) / area_;
     }
     if(isometry_weight_ > 0)
-      carried(3 * f).for_each_mode([&](double weight, const std::array<vec3, 3>& by_place) {
+      carried(f).for_each_mode([&](double weight, const std::array<vec3, 3>& by_place) {
         const double part = weight * isometry_weight_ / surface_area;
         std::array<Planar, 3> change;
         for(int m = 0; m < 3; ++m)
@@ -207,28 +205,21 @@ public:
   }
 
 private:
-  /// A face at one of its corners
-  struct Star_face_at {
-    vec3 x;
+  /// A face of A in a map
+  struct Face_of_map {
+    vec3 x; ///< of its first corner
     Star_face face;
 
-    Star_face_at(const Registration_energy& e, const Host_array<vec3>& at, int corner)
-      : x(at[e.a_.origin(corner)]), face(at[e.a_.target(corner)], at[e.a_.apex(corner)], e.metric_at(corner), 1)
+    Face_of_map(const Registration_energy& e, const Host_array<vec3>& at, int f)
+      : x(at[e.a_.face[f][0]]), face(at[e.a_.face[f][1]], at[e.a_.face[f][2]], e.metric_[f], 1)
     {}
     double energy() const { return face.energy(Distortion(1), x); }
     Face_hessian derivatives(double lift) const { return Face_hessian(Distortion(1), x, face, lift); }
   };
 
-  Face_metric metric_at(int corner) const
+  Carried_face carried(int f) const
   {
-    const Face_metric& m = metric_[corner / 3];
-    const int k = corner % 3;
-    return {{m.cotangent[k], m.cotangent[(k + 1) % 3], m.cotangent[(k + 2) % 3]}, m.twice_area};
-  }
-
-  Carried_face carried(int corner) const
-  {
-    const int i = a_.origin(corner), j = a_.target(corner), k = a_.apex(corner);
+    const auto [i, j, k] = a_.face[f];
     return {a_.point[i], a_.point[j], a_.point[k], place_[i], place_[j], place_[k]};
   }
 
@@ -273,9 +264,6 @@ private:
     return sum;
   }
 
-  /// \param f  a face of B near q, and on return the one that contains it
-  void walk(vec3 q, int& f) const { f = face_at(b_, b_.image, q, f); }
-
   /// The first time: every vertex from where a neighbour is.
   void find_faces(const Host_array<vec3>& x)
   {
@@ -283,7 +271,7 @@ private:
     face_of_[0] = 0;
     for(std::size_t next = 0; next < queue.size(); ++next) {
       const int i = queue[next];
-      walk(x[i], face_of_[i]);
+      face_of_[i] = face_at(b_, b_.image, x[i], face_of_[i]);
       for(int k = corner_offset_[i]; k < corner_offset_[i + 1]; ++k)
         if(const int j = a_.target(corner_[k]); face_of_[j] < 0) {
           face_of_[j] = face_of_[i];
@@ -299,7 +287,7 @@ private:
     slope_.resize(n);
     place_.resize(n);
     for_each_index(loop_, n, [&](int i) {
-      walk(x[i], face_of_[i]);
+      face_of_[i] = face_at(b_, b_.image, x[i], face_of_[i]);
       const auto [u, v, w] = b_.face[face_of_[i]];
       weights_of_direction({b_.image[u], b_.image[v], b_.image[w]}, x[i], weight_[i], slope_[i]);
       place_[i] = mean_of_corners(b_.face[face_of_[i]], weight_[i], b_.point);

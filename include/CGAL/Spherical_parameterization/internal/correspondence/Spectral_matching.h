@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_refinement.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/places_on_sphere.h>
 
 #include <algorithm>

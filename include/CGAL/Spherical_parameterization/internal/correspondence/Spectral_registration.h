@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/values/Rotation.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Map_to_goal.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
@@ -46,22 +45,23 @@ public:
 
   /// \param features   what decides between answers that are nearly as good
   /// \param landmarks  vertices of A and B
-  Spectral_registration(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& a,
-                        const Registered_surface& b, const Locator& locator_b, const Registration_features& features,
+  Spectral_registration(const Watched_loop<Host_loop>& loop, const Registered_surface& a, const Registered_surface& b,
+                        const Locator& locator_b, const Registration_features& features,
                         const std::vector<std::pair<int, int>>& landmarks)
-    : loop_(loop), monitor_(monitor), b_(b)
+    : loop_(loop), b_(b)
   {
     std::vector<int> landmark_of_a, landmark_of_b;
     for(const auto& [v, w] : landmarks) {
       landmark_of_a.push_back(v);
       landmark_of_b.push_back(w);
     }
-    monitor.begin_stage(0, Spectral_matching<Host_loop>::share_of_work / 3); // which the matching shares
-    const Coarse_map coarse_a = coarse(a, landmark_of_a), coarse_b = coarse(b, landmark_of_b);
+    loop.monitor().begin_stage(0, Spectral_matching<Host_loop>::share_of_work / 3); // which the matching shares
+    const Coarse_map coarse_a(loop, a, landmark_of_a, most_vertices), coarse_b(loop, b, landmark_of_b, most_vertices);
     typename Spectral_matching<Host_loop>::Landmarks coarse_landmarks;
     for(const auto& [v, w] : landmarks)
       coarse_landmarks.emplace_back(coarse_a.number_of(v), coarse_b.number_of(w));
-    const Spectral_shape<Host_loop> shape_a(loop.bare(), coarse_a, monitor), shape_b(loop.bare(), coarse_b, monitor);
+    const Spectral_shape<Host_loop> shape_a(loop.bare(), coarse_a, loop.monitor()),
+      shape_b(loop.bare(), coarse_b, loop.monitor());
     // Where the shapes say the same as landmarks, these change nothing, but for what they are moved by in the end
     auto answers = Spectral_matching<Host_loop>(loop, shape_a, shape_b, coarse_landmarks, false).run();
     if(!answers.front().fits_landmarks)
@@ -94,7 +94,7 @@ public:
     double least = 0;
     for(std::size_t k = 0; k < answers.size(); ++k)
       try {
-        Map_to_goal<> map(loop, monitor, surface, b, locator_b, goal_of(answers[k]), 0.3 + 0.2 * k / stages,
+        Map_to_goal<> map(loop, surface, b, locator_b, goal_of(answers[k]), 0.3 + 0.2 * k / stages,
                           0.3 + 0.2 * (k + 1) / stages);
         double score = answers[k].score;
         if(answers.size() > 1)
@@ -112,7 +112,7 @@ public:
         break;
       }
     rotation = best_rotation(surface.image, best->goal().place);
-    monitor.begin_stage(0.5, 0.55);
+    loop.monitor().begin_stage(0.5, 0.55);
     iterations += best->move_all();
     image = best->image();
     if(image.empty() || n == static_cast<int>(a.point.size()))
@@ -132,19 +132,14 @@ public:
       goal.put(v, b, w);
     for(int v : best->goal().spread)
       goal.spread.push_back(coarse_a.vertex[v]);
-    Map_to_goal<> map(loop, monitor, a, b, locator_b, std::move(goal), 0.55, 0.67);
-    monitor.begin_stage(0.67, 0.8);
+    Map_to_goal<> map(loop, a, b, locator_b, std::move(goal), 0.55, 0.67);
+    loop.monitor().begin_stage(0.67, 0.8);
     iterations += map.move_all();
     image = map.image();
   }
 
 private:
   static constexpr int most_vertices = 5500, most_places = 100;
-
-  Coarse_map coarse(const Registered_surface& surface, const std::vector<int>& kept) const
-  {
-    return Coarse_map(loop_, surface, surface.point, surface.image, kept, most_vertices);
-  }
 
   /// Root mean square, of the features where x puts the vertices of a coarse surface, which are those vertices of A.
   double mismatch(const Registered_surface& coarse_a, const std::vector<int>& vertex,
@@ -154,11 +149,10 @@ private:
     for(int k = 0; k < features.number; ++k)
       for(int v : vertex)
         coarse.a.push_back(features.a[k * (features.a.size() / features.number) + v]);
-    return std::sqrt(refine(loop_.bare(), coarse_a, b_, coarse, {}, {0, 0, 0, 0}, monitor_, x).mismatch);
+    return std::sqrt(refine(loop_.bare(), coarse_a, b_, coarse, {}, {0, 0, 0, 0}, loop_.monitor(), x).mismatch);
   }
 
   const Watched_loop<Host_loop>& loop_;
-  Monitor& monitor_;
   const Registered_surface& b_;
 };
 

@@ -4,10 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_COARSE_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_COARSE_MAP_H
 
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 
@@ -26,18 +25,17 @@ struct Coarse_map : Mapped_surface {
   /// \param whole  a valid map
   /// \param kept   vertices that are among those of this one
   /// \param most   so many vertices, about, if there are more
-  CGAL_SP_INLINE Coarse_map(const Watched_loop<Host_loop>& loop, const Corner_table& whole,
-                            const Host_array<vec3>& points, const Host_array<vec3>& images,
+  CGAL_SP_INLINE Coarse_map(const Watched_loop<Host_loop>& loop, const Registered_surface& whole,
                             const std::vector<int>& kept, int most)
   {
-    const int n = static_cast<int>(points.size());
+    const int n = static_cast<int>(whole.point.size());
     std::vector<int> number(n, 0);
     Progressive_mesh mesh(loop, whole.face, n);
     if(n > most) {
       std::vector<char> is_kept(n, 0);
       for(int v : kept)
         is_kept[v] = 1;
-      Decimation<> decimation(loop, points, mesh, std::move(is_kept), most, &images);
+      Decimation<> decimation(loop, whole.point, mesh, std::move(is_kept), most, &whole.image);
       while(mesh.number_of_vertices() > most && !decimation.round().empty())
         loop.check();
     }
@@ -45,8 +43,8 @@ struct Coarse_map : Mapped_surface {
       if(!mesh.is_removed(v)) {
         number[v] = static_cast<int>(vertex.size());
         vertex.push_back(v);
-        point.push_back(points[v]);
-        image.push_back(images[v]);
+        point.push_back(whole.point[v]);
+        image.push_back(whole.image[v]);
       }
     number_of_vertices = static_cast<int>(vertex.size());
     for(int v : vertex)

@@ -20,7 +20,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -27,8 +27,6 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -38,9 +36,9 @@ class Registered_side {
 public:
   static constexpr int degree = 31; ///< of what is correlated
 
-  Registered_side(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_surface& its_surface,
-                  const Locator& locator, std::vector<Host_array<double>> own)
-    : surface(its_surface), loop_(loop), monitor_(monitor), locator_(locator), own_(std::move(own))
+  Registered_side(const Watched_loop<Host_loop>& loop, const Registered_surface& its_surface, const Locator& locator,
+                  std::vector<Host_array<double>> own)
+    : surface(its_surface), loop_(loop), locator_(locator), own_(std::move(own))
   {}
 
   const Registered_surface& surface;
@@ -79,7 +77,7 @@ public:
   const std::vector<Host_array<double>>& features(double scale)
   {
     if(scale != scale_)
-      features_ = shape_features(loop_.bare(), surface, own_, scale, monitor_);
+      features_ = shape_features(loop_.bare(), surface, own_, scale, loop_.monitor());
     scale_ = scale;
     return features_;
   }
@@ -95,12 +93,11 @@ public:
     Registered_surface centred = surface;
     for(vec3& p : centred.image)
       p = centring(p);
-    return shape_features(loop_.bare(), centred, own_, scale, monitor_);
+    return shape_features(loop_.bare(), centred, own_, scale, loop_.monitor());
   }
 
 private:
   const Watched_loop<Host_loop>& loop_;
-  Monitor& monitor_;
   const Locator& locator_;
   std::vector<Host_array<double>> own_; ///< features of the caller
   double scale_ = 0;
@@ -110,10 +107,10 @@ private:
 template <class...>
 class Registrar {
 public:
-  Registrar(const Watched_loop<Host_loop>& loop, Monitor& monitor, const Registered_side<>& a,
-            const Registered_side<>& b, const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
+  Registrar(const Watched_loop<Host_loop>& loop, const Registered_side<>& a, const Registered_side<>& b,
+            const std::vector<std::pair<int, int>>& landmarks, const Registration& settings,
             Registration_result& result)
-    : loop_(loop), monitor_(monitor), a_(a), b_(b), landmark_vertices_(landmarks), settings_(settings), result_(result),
+    : loop_(loop), a_(a), b_(b), landmark_vertices_(landmarks), settings_(settings), result_(result),
       start_(a.surface.image)
   {
     for(const auto& [i, j] : landmarks)
@@ -133,7 +130,7 @@ public:
     }
     result_.seconds.align = watch.seconds();
     Host_array<vec3> x = deformed_.empty() ? start_ : deformed_;
-    if(settings_.motion == Registration::Motion::DEFORMATION && !monitor_.is_interrupted())
+    if(settings_.motion == Registration::Motion::DEFORMATION && !loop_.monitor().is_interrupted())
       deform(x);
     result_.seconds.refine = watch.seconds() - result_.seconds.align;
     return x;
@@ -166,8 +163,8 @@ private:
        !settings_.features.empty() ||
        (std::min)(a_.surface.point.size(), b_.surface.point.size()) < Spectral_registration<>::least_vertices)
       return false;
-    Spectral_registration<> found(loop_, monitor_, a_.surface, b_.surface, b_.locator(),
-                                  weighted(scale_of(settings_.levels - 1)), landmark_vertices_);
+    Spectral_registration<> found(loop_, a_.surface, b_.surface, b_.locator(), weighted(scale_of(settings_.levels - 1)),
+                                  landmark_vertices_);
     result_.start = "spectrum";
     result_.margin = found.margin;
     result_.signature_difference = found.difference;
@@ -254,10 +251,10 @@ private:
     const Registration_features features = weighted(scale);
     const double all = settings_.motion == Registration::Motion::DEFORMATION ? share_to_align : 1;
     double least = std::numeric_limits<double>::infinity();
-    for(std::size_t k = 0; k < proposed.size() && (k == 0 || !monitor_.is_interrupted()); ++k) {
+    for(std::size_t k = 0; k < proposed.size() && (k == 0 || !loop_.monitor().is_interrupted()); ++k) {
       const Host_array<vec3> start = turned(proposed[k].rotation);
       Host_array<vec3> x = start;
-      monitor_.begin_stage(all * k / proposed.size(), all * (k + 1) / proposed.size());
+      loop_.monitor().begin_stage(all * k / proposed.size(), all * (k + 1) / proposed.size());
       const double energy =
         refined(a_.surface, features, {settings_.landmark_weight, 0, settings_.iterations, settings_.accuracy}, x)
           .energy;
@@ -339,10 +336,10 @@ private:
     Registration_features features;
     if(first_level > 0)
       refinement.isometry_weight = settings_.isometry_weight;
-    for(int level = first_level; level < settings_.levels && (level == first_level || !monitor_.is_interrupted());
-        ++level) {
+    for(int level = first_level;
+        level < settings_.levels && (level == first_level || !loop_.monitor().is_interrupted()); ++level) {
       const double share = (1 - share_to_align) / settings_.levels;
-      monitor_.begin_stage(share_to_align + level * share, share_to_align + (level + 1) * share);
+      loop_.monitor().begin_stage(share_to_align + level * share, share_to_align + (level + 1) * share);
       shape_ = features = weighted(scale_of(level));
       if(settings_.position_weight > 0) {
         const auto a = a_.coordinates(space_), b = b_.coordinates();
@@ -364,7 +361,7 @@ private:
         x = start_;
       return;
     }
-    if(put_in_place(loop_.bare(), a_.surface.face, landmarks_, monitor_, x))
+    if(put_in_place(loop_.bare(), a_.surface.face, landmarks_, loop_.monitor(), x))
       result_.iterations +=
         static_cast<std::size_t>(refined({a_.surface, a_.surface.point, x}, features, refinement, x).iterations);
   }
@@ -387,7 +384,7 @@ private:
   Refinement_report refined(const Registered_surface& from, const Registration_features& features,
                             const Refinement& refinement, Host_array<vec3>& x)
   {
-    return refine(loop_.bare(), from, b_.surface, features, landmarks_, refinement, monitor_, x);
+    return refine(loop_.bare(), from, b_.surface, features, landmarks_, refinement, loop_.monitor(), x);
   }
 
   /// What is there without a step.
@@ -397,7 +394,6 @@ private:
   }
 
   const Watched_loop<Host_loop>& loop_;
-  Monitor& monitor_;
   Registered_side<> a_, b_;
   const std::vector<std::pair<int, int>>& landmark_vertices_;
   const Registration& settings_;
@@ -481,10 +477,9 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
   const Locator locator_a(loop, ordered_a), locator_b(loop, ordered_b);
   const Watched_loop<Host_loop> watched(loop, monitor);
   Registration_result result;
-  Registrar<> registrar(watched, monitor,
-                        {watched, monitor, a, locator_a, features_of(settings, &Registration_feature::a, order_a)},
-                        {watched, monitor, b, locator_b, features_of(settings, &Registration_feature::b, order_b)},
-                        pairs, settings, result);
+  Registrar<> registrar(watched, {watched, a, locator_a, features_of(settings, &Registration_feature::a, order_a)},
+                        {watched, b, locator_b, features_of(settings, &Registration_feature::b, order_b)}, pairs,
+                        settings, result);
   const Host_array<vec3> stored = order_a.ordered(store(order_a.by_number(registrar.run())));
   const Certificate certificate = certify(loop, a.face, stored);
   result.flipped_faces = certificate.flipped_faces;

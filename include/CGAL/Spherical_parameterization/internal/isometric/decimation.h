@@ -169,9 +169,6 @@ private:
     return (std::max)(size, shortest);
   }
 
-  /// Of the face at a corner
-  vec3 face_normal(int c) const { return normal(point_, {mesh_.vertex(c), mesh_.target(c), mesh_.apex(c)}); }
-
   /// Returns twice the area of the faces at v.
   double initialise_quadric(int v)
   {
@@ -179,7 +176,7 @@ private:
     if(mesh_.is_removed(v))
       return twice_area;
     mesh_.for_each_corner(v, [&](int c) {
-      const vec3 n = face_normal(c);
+      const vec3 n = normal(point_, {mesh_.vertex(c), mesh_.target(c), mesh_.apex(c)});
       const double length = std::sqrt(inner(n, n));
       if(length > 0)
         quadric_[v].add_plane(scale(1 / length, n), length / 2);

@@ -56,8 +56,7 @@ public:
   double gain_ahead(int maximum_iterations, double tolerance)
   {
     newton_direction(maximum_iterations, tolerance);
-    promise(level_.objective(distortion_));
-    return promised_gain_;
+    return promise(level_.objective(distortion_));
   }
 
   /// The same by the matrix of the last step, which has changed little near a minimum, at half the cost: unless it
@@ -68,8 +67,7 @@ public:
     solve(maximum_iterations, tolerance);
     if(is_indefinite_)
       return gain_ahead(maximum_iterations, tolerance);
-    promise(level_.objective(distortion_));
-    return promised_gain_;
+    return promise(level_.objective(distortion_));
   }
 
   /// The share of the energy that the last step would have taken off, had the energy been its parabola. A step that is
@@ -334,10 +332,11 @@ private:
     return direction;
   }
 
-  /// Newton's model of the energy, which is `before` now.
-  void promise(double before)
+  /// The `promised_gain()`, by Newton's model of the energy, which is `before` now.
+  double promise(double before)
   {
-    promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1; // NaN, from numbers out of range, promises anything
+    // NaN, from numbers out of range, promises anything
+    return promised_gain_ = slope_ <= 0 ? -slope_ / 2 / before : 1;
   }
 
   double search(const Host_array<vec3>& direction)

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_MULTIGRID_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_MULTIGRID_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/coarsening.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/dense_inverse.h>
@@ -95,8 +94,6 @@ public:
   const Level& level(std::size_t k) const { return levels_[k]; }
   int size(std::size_t k) const { return levels_[k].size(); }
   const Matrix& matrix(std::size_t k) const { return levels_[k].matrix; }
-  /// the vertex of level k+1 into which each vertex of level k went; -1 for fixed ones
-  const Host_array<int>& aggregate_of(std::size_t k) const { return levels_[k].aggregates->of_vertex; }
   /// The inverse of the last level, if that is small enough to have one; else empty: it is as good as diagonal.
   const typename Backend::Scalars& bottom_inverse() const { return bottom_inverse_; }
 

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <string>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -4,11 +4,9 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_MEND_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/for_each_face.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Patch.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
-#include <CGAL/Spherical_parameterization/internal/relaxation/untangling_energy.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -71,9 +72,7 @@ struct Surface_sample {
 inline std::vector<Surface_sample> samples_of(const Surface& surface, int count)
 {
   const Host_array<double>& area = surface.face_area(Host_loop());
-  double total = 0;
-  for(const double a : area)
-    total += a;
+  const double total = std::accumulate(area.begin(), area.end(), 0.);
   if(!(total > 0))
     throw Input_error(Error_code::DEGENERATE_FACE, "the area of the surface is 0");
   constexpr double first_step = 0.7548776662466927, second_step = 0.5698402909980532;

@@ -27,6 +27,19 @@ struct Sampled_fields {
   Host_array<double> value;
 };
 
+/// The coordinates of points as three functions.
+inline Sampled_fields coordinate_fields(const Host_array<vec3>& points)
+{
+  const std::size_t n = points.size();
+  Sampled_fields fields = {3, Host_array<double>(3 * n)};
+  for(std::size_t i = 0; i < n; ++i) {
+    fields.value[i] = points[i].x;
+    fields.value[n + i] = points[i].y;
+    fields.value[2 * n + i] = points[i].z;
+  }
+  return fields;
+}
+
 /// Scales numbers by a power of two, which changes no digit, to where their squares neither overflow nor vanish.
 /// Returns its exponent.
 CGAL_SP_INLINE int scale_to_one(double* begin, double* end)

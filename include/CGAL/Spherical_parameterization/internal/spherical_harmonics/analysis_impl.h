@@ -17,12 +17,8 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/least_squares.h>
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <cstddef>
 #include <numeric>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace CGAL::Spherical_parameterization::internal {
 

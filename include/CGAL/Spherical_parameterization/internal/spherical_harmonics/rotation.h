@@ -13,6 +13,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+/// What the degrees 0 and 1 of three functions are.
+template <class Loop>
+First_order_ellipsoid ellipsoid_of(const Loop& loop, const Harmonic_coefficients& shape);
+
 /// The coefficients of f(R^-1 x). O(L^3) per function.
 template <class Loop>
 Harmonic_coefficients rotated_harmonics(const Loop& loop, const Harmonic_coefficients& f, const Rotation& rotation);

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAPPED_SURFACE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAPPED_SURFACE_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/for_each_face.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>

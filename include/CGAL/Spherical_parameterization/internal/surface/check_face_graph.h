@@ -122,17 +122,6 @@ void explain_what_is_wrong(const TriangleMesh& mesh, const Vertex_numbering<Tria
   }
 }
 
-/// Throws Error unless the surface is of genus 0.
-inline void check_topology(std::size_t number_of_vertices, std::size_t number_of_faces)
-{
-  // V - E + F = 2 - 2g, and 2E = 3F since all faces are triangles.
-  const long long characteristic =
-    static_cast<long long>(number_of_vertices) - static_cast<long long>(number_of_faces / 2);
-  if(characteristic != 2)
-    throw Input_error(Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
-                                                 "; only surfaces without handles map to the sphere");
-}
-
 /// What is known of a face graph that has been checked.
 struct Checked_graph {
   Host_array<int> breadth_first; ///< the positions of its vertices in vertices(mesh), in this order
@@ -155,8 +144,11 @@ Checked_graph check_face_graph(const TriangleMesh& mesh, const Vertex_numbering<
   if(components > 1)
     throw Input_error(Error_code::SEVERAL_COMPONENTS,
                       counted(components, "component", "components") + "; map them one by one");
-  check_topology(order.size(), face_descriptors.size());
-  const int n = static_cast<int>(order.size());
+  // V - E + F = 2 - 2g, and 2E = 3F since all faces are triangles.
+  const int n = static_cast<int>(order.size()), characteristic = n - static_cast<int>(face_descriptors.size() / 2);
+  if(characteristic != 2)
+    throw Input_error(Error_code::WRONG_GENUS, "genus " + std::to_string((2 - characteristic) / 2) +
+                                                 "; only surfaces without handles map to the sphere");
   const int first_doubled = first_index(loop, n, [&](int i) {
     const auto begin = neighbours.target.begin() + neighbours.offset[i];
     const auto end = neighbours.target.begin() + neighbours.offset[i + 1];

@@ -13,9 +13,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <array>
-#include <cstddef>
-#include <functional>
-#include <string>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {

@@ -56,6 +56,16 @@ Host_array<vec3> vectors_at(const Range& vertices, VertexMap map)
   return result;
 }
 
+/// A range of points or directions as vectors.
+template <class Points>
+Host_array<vec3> vectors_of(const Points& points)
+{
+  Host_array<vec3> result;
+  for(const auto& p : points)
+    result.push_back(coordinates(p));
+  return result;
+}
+
 /// Writes vectors into a map of some vertices, as its points hold them.
 template <class Range, class VertexMap>
 void put_vectors(const Range& vertices, const Host_array<vec3>& vectors, VertexMap map)

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/plane.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>

@@ -6,15 +6,12 @@
 
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
-#include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_IMPL_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_IMPL_H
+#ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_IMPL_H
+#define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/predicates/exact_determinant.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <cmath>
 #include <cstdint>
@@ -120,4 +120,4 @@ CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::arra
 
 } // namespace CGAL::Spherical_parameterization::internal
 
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_EXACT_DETERMINANT_IMPL_H
+#endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_ORIENTATION_IMPL_H

@@ -462,7 +462,7 @@ class Locator:
 
     def __init__(self, triangles: npt.ArrayLike, sphere: Sphere, *, policy: str = "parallel") -> None:
         check(Locator.__init__, locals())
-        sphere, triangles = sphere_vectors("sphere", sphere).copy(), index_triples(triangles).copy()  # callers may change them
+        sphere, triangles = unit_vectors("sphere", sphere).copy(), index_triples(triangles).copy()  # callers may change them
         self._number_of_vertices, self._triangles, self._policy = len(sphere), triangles, policy
         self._sphere = sphere
         self._locator = _core.Locator(triangles, sphere, policy)
@@ -599,7 +599,7 @@ class Locator:
         ndarray (k, ...)
         """
         of_faces = _rows("values", values, len(self._triangles))
-        images, corners = sphere_vectors("sphere", sphere), index_triples(triangles)
+        images, corners = unit_vectors("sphere", sphere), index_triples(triangles)
         check_indices(corners, len(images))
         a, b, c = images[corners].swapaxes(0, 1)
         return of_faces[self.locate(a + (b + c))[0]]

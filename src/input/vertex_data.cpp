@@ -11,6 +11,8 @@
 #include "input/text_lines.h"
 #include "system/refusal.h"
 
+#include <boost/algorithm/string/trim.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -188,23 +190,34 @@ Vertex_column read_label(const std::string& file, std::string text, std::size_t 
   return column;
 }
 
-/// Takes the fields of the next line off the text of a CSV file (RFC 4180); in quotes it may end later.
+/// Takes the fields of the next line off the text of a CSV file (RFC 4180); in quotes it may end later. Blanks around
+/// what is not in quotes do not count.
 std::vector<std::string> next_fields(const std::string& file, std::string_view& text)
 {
   std::vector<std::string> fields(1);
-  bool is_quoted = false;
+  bool is_quoted = false, has_quotes = false;
+  const auto end_field = [&fields, &has_quotes] {
+    if(!has_quotes)
+      boost::trim(fields.back());
+    has_quotes = false;
+  };
   std::size_t i = 0;
   for(; i < text.size() && (is_quoted || text[i] != '\n'); ++i)
     if(text[i] == '"' && is_quoted && text.substr(i + 1, 1) == "\"")
       fields.back() += text[++i];
-    else if(text[i] == '"')
+    else if(text[i] == '"') {
+      if(!has_quotes)
+        boost::trim_left(fields.back());
       is_quoted = !is_quoted;
-    else if(text[i] == ',' && !is_quoted)
+      has_quotes = true;
+    } else if(text[i] == ',' && !is_quoted) {
+      end_field();
       fields.emplace_back();
-    else if(text[i] != '\r' || is_quoted)
+    } else if(text[i] != '\r' || is_quoted)
       fields.back() += text[i];
   if(is_quoted)
     refuse_file(file, "a quotation mark has no end");
+  end_field();
   text.remove_prefix(std::min(i + 1, text.size()));
   return fields;
 }
@@ -232,6 +245,8 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
   double value = 0;
   if(std::all_of(names.begin(), names.end(), [&value](const std::string& name) { return is_number(name, value); }))
     refuse(0, "there are only numbers", "begin with a line of names");
+  if(names.size() == 1 && names[0].find_first_of(";\t") != std::string::npos)
+    refuse(0, "there is no comma between names", "separate columns by commas; the decimal point is '.'");
   if(std::find(names.begin(), names.end(), "") != names.end())
     refuse(0, "a column has no name", "name all of them, and leave out numbers of lines (pandas: index=False)");
   std::vector<std::vector<std::string>> columns(names.size());

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -105,6 +106,12 @@ void write_vertex_data(std::ostream& out, const std::string& file, const Vertex_
     throw Refusal(unwritable_data, file,
                   "the format holds one column, and there are " + std::to_string(held.size()) + " of " + what,
                   std::string("write ") + (are_labels ? ".label.gii" : ".func.gii") + " or .csv");
+  if(format == Data_format::CURV || format == Data_format::FUNC_GII || format == Data_format::SHAPE_GII)
+    for(const Vertex_column& column : held)
+      for(const double x : column.values)
+        if(std::isfinite(x) && std::abs(x) > std::numeric_limits<float>::max())
+          throw Refusal(unwritable_data, file, "the format holds floats, and '" + column.name + "' has larger numbers",
+                        "write .csv");
   switch(format) {
   case Data_format::CSV: return write_csv(out, held);
   case Data_format::ANNOT: return write_annot(out, file, held.front());

@@ -98,6 +98,41 @@ Shape_points shape_at(const ExecutionPolicy& policy, const Mapped_mesh<TriangleM
 }
 CGAL_SP_ON_ONE_CORE(shape_at)
 
+namespace internal {
+
+/// What vertices count: their areas, mean over the shapes; where sizes do not count, the shares of the areas of each.
+template <class ExecutionPolicy, class NamedParameters>
+std::vector<double> weights_of_atlas(const ExecutionPolicy& policy, const Atlas_mesh& atlas,
+                                     const std::vector<Shape_points>& shapes, Atlas_placement placement,
+                                     const NamedParameters& np)
+{
+  if(placement != Atlas_placement::SIMILARITY)
+    return mean_vertex_areas(policy, atlas.mesh, shapes, np);
+  std::vector<double> shares(num_vertices(atlas.mesh), 0);
+  for(const Shape_points& shape : shapes) {
+    const std::vector<double> area = mean_vertex_areas(policy, atlas.mesh, {shape}, np);
+    const double all = std::accumulate(area.begin(), area.end(), 0.);
+    for(std::size_t v = 0; v < area.size() && all > 0; ++v)
+      shares[v] += area[v] / all;
+  }
+  return shares;
+}
+
+template <class ExecutionPolicy, class NamedParameters>
+Procrustes_alignment align_atlas(const ExecutionPolicy& policy, std::vector<Shape_points>& shapes,
+                                 const std::vector<double>& weights, Atlas_placement placement,
+                                 const NamedParameters& np)
+{
+  if(placement == Atlas_placement::AS_THEY_STAND)
+    return {};
+  Procrustes method;
+  method.rotate = placement != Atlas_placement::CENTRED;
+  method.scale = placement == Atlas_placement::SIMILARITY;
+  return align_shapes(policy, shapes, method, weights, np);
+}
+
+} // namespace internal
+
 /// Aligns the shapes of an atlas; vertices are weighted by their areas.
 /// \param policy     as above
 /// \param atlas      the atlas of the shapes
@@ -110,21 +145,8 @@ Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mes
                                   std::vector<Shape_points>& shapes, Atlas_placement placement,
                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  if(placement == Atlas_placement::AS_THEY_STAND)
-    return {};
-  Procrustes method;
-  method.rotate = placement != Atlas_placement::CENTRED;
-  method.scale = placement == Atlas_placement::SIMILARITY;
-  if(!method.scale)
-    return align_shapes(policy, shapes, method, mean_vertex_areas(policy, atlas.mesh, shapes, np), np);
-  std::vector<double> shares(num_vertices(atlas.mesh), 0); // of the area of each shape, whatever its size
-  for(const Shape_points& shape : shapes) {
-    const std::vector<double> area = mean_vertex_areas(policy, atlas.mesh, {shape}, np);
-    const double all = std::accumulate(area.begin(), area.end(), 0.);
-    for(std::size_t v = 0; v < area.size() && all > 0; ++v)
-      shares[v] += area[v] / all;
-  }
-  return align_shapes(policy, shapes, method, shares, np);
+  return internal::align_atlas(policy, shapes, internal::weights_of_atlas(policy, atlas, shapes, placement, np),
+                               placement, np);
 }
 CGAL_SP_ON_ONE_CORE(place_shapes)
 
@@ -137,7 +159,12 @@ Shape_points mean_shape(const ExecutionPolicy& policy, const Atlas_mesh& atlas, 
                         Atlas_placement placement, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   place_shapes(policy, atlas, shapes, placement, np);
-  return shape_statistics(policy, shapes, {}, 0, np).mean;
+  Shape_points mean(num_vertices(atlas.mesh), {0, 0, 0});
+  for(const Shape_points& shape : shapes)
+    for(std::size_t v = 0; v < mean.size(); ++v)
+      for(std::size_t c = 0; c < 3; ++c)
+        mean[v][c] += shape[v][c] / static_cast<double>(shapes.size());
+  return mean;
 }
 CGAL_SP_ON_ONE_CORE(mean_shape)
 
@@ -159,8 +186,8 @@ Atlas_statistics atlas_statistics(const ExecutionPolicy& policy, const Atlas_mes
                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   Atlas_statistics result;
-  result.alignment = place_shapes(policy, atlas, shapes, placement, np);
-  result.weights = mean_vertex_areas(policy, atlas.mesh, shapes, np);
+  result.weights = internal::weights_of_atlas(policy, atlas, shapes, placement, np);
+  result.alignment = internal::align_atlas(policy, shapes, result.weights, placement, np);
   result.statistics = shape_statistics(policy, shapes, result.weights, modes, np);
   return result;
 }

@@ -103,7 +103,7 @@ std::vector<double> harmonic_values(const ExecutionPolicy& policy, const Harmoni
                                     const DirectionRange& directions,
                                     const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  const internal::Host_array<internal::vec3> direction = internal::vectors_of(directions);
+  internal::Host_array<internal::vec3> direction = internal::vectors_of(directions);
   internal::check_finite(coefficients);
   internal::check_directions(direction);
   internal::Monitor monitor = internal::make_monitor(np);
@@ -139,7 +139,7 @@ void harmonic_synthesis(const ExecutionPolicy& policy, const Harmonic_coefficien
   const double* x = value.data();
   for(auto v : vertices(mesh)) {
     if constexpr(fields == 1)
-      put(vertex_map, v, static_cast<Value>(*x));
+      put(vertex_map, v, internal::stored_number<Value>(*x));
     else
       put(vertex_map, v, internal::stored_point<Value>({x[0], x[1], x[2]}));
     x += fields;

@@ -28,11 +28,17 @@ struct Has_xyz<Point,
 template <class Point>
 vec3 coordinates(const Point& p)
 {
-  using CGAL::to_double;
+  const auto as_double = [](const auto& x) -> double {
+    using CGAL::to_double;
+    if constexpr(std::is_arithmetic_v<std::decay_t<decltype(x)>>) // CGAL knows not all of these
+      return x;
+    else
+      return to_double(x);
+  };
   if constexpr(Has_xyz<Point>::value)
-    return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
+    return {as_double(p.x()), as_double(p.y()), as_double(p.z())};
   else
-    return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
+    return {as_double(p[0]), as_double(p[1]), as_double(p[2])};
 }
 
 inline vec3 coordinates(const vec3& p) { return p; }
@@ -51,12 +57,19 @@ auto first_coordinate(const Point& p)
 template <class Point>
 using Coordinate_of = std::decay_t<decltype(first_coordinate(std::declval<const Point&>()))>;
 
+/// A number as this type holds it: integers are rounded.
+template <class Number>
+Number stored_number(double x)
+{
+  return static_cast<Number>(std::is_integral_v<Number> ? std::round(x) : x);
+}
+
 /// A position as points of this type hold it.
 template <class Point>
 Point stored_point(vec3 p)
 {
   typedef Coordinate_of<Point> FT;
-  return Point{static_cast<FT>(p.x), static_cast<FT>(p.y), static_cast<FT>(p.z)};
+  return Point{stored_number<FT>(p.x), stored_number<FT>(p.y), stored_number<FT>(p.z)};
 }
 
 /// Whether several threads may read coordinates of this type at once: built-in numbers, unlike lazy exact ones.

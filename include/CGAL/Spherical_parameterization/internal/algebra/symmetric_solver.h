@@ -13,9 +13,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-/// P A P^T = L D L^T with diagonal pivoting (G. Golub, C. Van Loan, "Matrix Computations", section 4.4) in the place of
-/// the symmetric matrix of size n whose entries are a(i, j), of which only the lower triangle is read: L comes below
-/// the diagonal, D on it. Step k exchanges k and pivot[k].
+/// P A P^T = L D L^T (G. Golub, C. Van Loan, "Matrix Computations", section 4.4) in the place of the symmetric matrix
+/// of size n whose entries are a(i, j), of which only the lower triangle is read: L comes below the diagonal, D on it.
+/// The largest entries of the diagonal of A come first, which is enough for matrices that are definite or semidefinite.
+/// Step k exchanges k and pivot[k].
 ///
 /// Its own text, and not a library's: the order of its sums does not depend on the vector registers that a compiler may
 /// use, so that results are the same bits everywhere.

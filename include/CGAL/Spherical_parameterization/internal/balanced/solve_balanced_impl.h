@@ -18,6 +18,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -66,9 +67,22 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     return settle(backend, problem, v, true, resolution, monitor, solution);
   };
 
+  struct Certified {
+    typename Backend::Vectors v;
+    Solver_report report;
+    Certificate certificate;
+  };
+  std::optional<Certified> best; // of those that were left
+  const auto badness = [](const Certificate& c) { return std::pair(c.degree != 1, c.flipped_faces); };
+  const auto leave = [&](typename Backend::Vectors&& x, const Solver_report& its_report, const Certificate& its) {
+    if(!best || badness(its) < badness(best->certificate))
+      best = Certified{std::move(x), its_report, its};
+  };
+
   std::size_t done = 0;
   Solver_report& report = solution.report;
   bool is_certified = false;
+  Settled settled = Settled::NOT_YET;
   for(double longest_factor : {1000., 1.}) {
     start(v);
     Descent_options options = {accuracy, maximum_iterations - done};
@@ -81,8 +95,7 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     options.patience = patience_at_the_limit;
     is_certified = report.has_converged;
     flipped_before = 0;
-    Settled settled =
-      is_certified ? settle_at(options.accuracy, options.accuracy <= finest_accuracy) : Settled::NOT_YET;
+    settled = is_certified ? settle_at(options.accuracy, options.accuracy <= finest_accuracy) : Settled::NOT_YET;
     for(Solver_report refined = report; refined.has_converged && options.accuracy > finest_accuracy &&
                                         settled != Settled::YES && !is_hopeless &&
                                         !(is_stuck && settled == Settled::BEYOND_MENDING);) {
@@ -90,6 +103,8 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
       options.maximum_iterations = maximum_iterations - done;
       typename Backend::Vectors before = backend.vectors(problem.size());
       backend.copy(v, before);
+      const Solver_report report_before = report;
+      const Certificate certificate_before = solution.certificate;
       refined = descend(options, v);
       done += refined.iterations;
       report.iterations = done;
@@ -101,9 +116,25 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
         flipped_before = 0; // the same faces will be flipped: that says nothing
       }
       settled = settle_at(options.accuracy, !refined.has_converged || options.accuracy <= finest_accuracy);
+      if(badness(certificate_before) < badness(solution.certificate))
+        leave(std::move(before), report_before, certificate_before);
     }
     if(settled == Settled::YES || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())
       break;
+    if(is_certified && longest_factor > 1) {
+      typename Backend::Vectors first = backend.vectors(problem.size());
+      backend.copy(v, first);
+      leave(std::move(first), report, solution.certificate);
+    }
+  }
+  if(settled != Settled::YES && best &&
+     (!is_certified || badness(best->certificate) < badness(solution.certificate))) { // what came then was worse
+    std::swap(v, best->v);
+    report.residual = best->report.residual;
+    report.energy = best->report.energy;
+    report.has_stalled = best->report.has_stalled;
+    solution.certificate = best->certificate;
+    is_certified = true;
   }
   report.has_converged = report.residual <= accuracy;
   return is_certified;

@@ -5,11 +5,13 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MOEBIUS_CENTRING_IMPL_H
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/vertex_formulas.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/Centring.h>
 #include <CGAL/Spherical_parameterization/internal/moebius/moebius.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -43,18 +45,22 @@ CGAL_SP_CORE vec3 Centring::inverse(vec3 p) const
 
 CGAL_SP_CORE double centre_by_mass(const Host_array<double>& mass, Host_array<vec3>& image)
 {
-  double total = 0;
+  double largest = 0;
   for(std::size_t i = 0; i < image.size(); ++i) {
+    image[i] = scaled_to_unit_box(image[i]);
     if(const double square = inner(image[i], image[i]); !(square > 0) || !std::isfinite(square))
       throw Input_error(Error_code::NON_FINITE_COORDINATE, "no direction at vertex " + std::to_string(i));
     if(!(mass[i] >= 0) || !std::isfinite(mass[i]))
       throw Input_error(Error_code::BAD_WEIGHT, "the mass of vertex " + std::to_string(i));
     image[i] = unit(image[i]);
-    total += mass[i];
+    largest = (std::max)(largest, mass[i]);
   }
-  if(!(total > 0) || !std::isfinite(total))
-    throw Input_error(Error_code::BAD_WEIGHT, "there is no mass, or too much");
-  const Centring centring(Host_loop(), mass, image);
+  if(largest == 0)
+    throw Input_error(Error_code::BAD_WEIGHT, "there is no mass");
+  Host_array<double> in_unit = mass; // by a power of 2, so that sums and squares neither overflow nor vanish
+  for(double& m : in_unit)
+    m = std::scalbn(m, -std::ilogb(largest));
+  const Centring centring(Host_loop(), in_unit, image);
   for(vec3& p : image)
     p = centring(p);
   return centring.distance();

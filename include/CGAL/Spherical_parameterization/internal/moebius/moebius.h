@@ -89,8 +89,8 @@ void centre(const Backend& backend, const typename Backend::Scalars& area, doubl
 }
 
 /// The Moebius transformation of orientation 1 (boosts and rotations) that brings `from` closest to `to` in the sense
-/// of least squares, by the Gauss-Newton method from the best rotation; exact for three points. Returned as a sequence
-/// of boosts, each followed by a rotation.
+/// of least squares, by the Gauss-Newton method from the best rotation: a local minimum, which need not be 0 for three
+/// points that have to be moved far. Returned as a sequence of boosts, each followed by a rotation.
 class Moebius_alignment {
 public:
   Moebius_alignment(Host_array<vec3> from, const Host_array<vec3>& to)

@@ -186,7 +186,7 @@ CGAL_SP_INLINE void add_girth_cuts(const Segmentation_mesh& mesh, const Bundle& 
   const bool is_single = bundle.number_of_tips == 1;
 
   const double first = is_single ? deepest : std::log((std::max)(bundle.radius, 1e-16)) + gap;
-  const double last = (std::min)(std::log((std::max)(bundle.distance_to_next, 1e-16)) - gap, std::log(4.));
+  const double last = std::log((std::max)(bundle.distance_to_next, 1e-16)) - gap;
   if(last - first < 0.2)
     return;
   const Girth_profile profile = girth_profile(mesh, log_radius(mesh, bundle.centre), first, last);

@@ -24,6 +24,8 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
 {
   typedef typename Dense<Distance>::Matrix Matrix;
   typedef typename Dense<Distance>::Vector Vector;
+  if(n == 0)
+    return {};
   constexpr std::size_t neighbours = 5;
   constexpr double persistence = 0.95; // what a step of the diffusion leaves of the start is the rest
   const auto size = static_cast<Eigen::Index>(n);

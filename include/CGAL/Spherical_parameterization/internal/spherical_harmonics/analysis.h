@@ -8,9 +8,11 @@
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
 #include <CGAL/Spherical_parameterization/values/harmonics_methods.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
+#include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 
@@ -54,11 +56,17 @@ CGAL_SP_INLINE int scale_to_one(double* begin, double* end)
 }
 
 /// Throws Error for what is not finite, and directions of length 0.
-CGAL_SP_INLINE void check_directions(const Host_array<vec3>& directions)
+CGAL_SP_INLINE void check_directions(Host_array<vec3>& directions)
 {
-  for(std::size_t i = 0; i < directions.size(); ++i)
-    if(const double square = inner(directions[i], directions[i]); !(square > 0) || !std::isfinite(square))
+  constexpr double harmless = 1e100; // lengths beyond have squares that overflow or vanish
+  for(std::size_t i = 0; i < directions.size(); ++i) {
+    vec3& d = directions[i];
+    const double largest = (std::max)({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    if(!is_finite(d) || largest == 0)
       throw Input_error(Error_code::NON_FINITE_COORDINATE, "no direction at vertex " + std::to_string(i));
+    if(largest > harmless || largest < 1 / harmless)
+      d = scaled_to_unit_box(d);
+  }
 }
 
 /// Whether the points of the source have to be there.

@@ -112,10 +112,6 @@ void write_components(const Loop& loop, const Shape_set<const double>& shapes, c
 {
   constexpr int at_a_time = 256;
   const int n = shapes.size(), modes = mean_and_modes.size() - 1;
-  std::vector<double> sum(static_cast<std::size_t>(modes), 0);
-  for(const auto& row : components.combination)
-    for(std::size_t k = 0; k < sum.size(); ++k)
-      sum[k] += row[k];
   for_each_index<at_a_time>(loop, shapes.entries(), [&](int j) {
     for(int c = 0; c < 3; ++c) {
       double& mean = mean_and_modes(0, j, c);
@@ -124,8 +120,7 @@ void write_components(const Loop& loop, const Shape_set<const double>& shapes, c
       for(int k = 0; k < modes; ++k) {
         double& mode = mean_and_modes(k + 1, j, c);
         for(int i = 0; i < n; ++i)
-          mode += components.combination[i][k] * shapes(i, j, c);
-        mode -= sum[k] * mean;
+          mode += components.combination[i][k] * (shapes(i, j, c) - mean);
       }
     }
   });
@@ -141,6 +136,7 @@ std::vector<double> errors_of_left_out(const Loop& loop, const Shape_set<const d
   const Matrix& r = deviations.triangle;
   const int most = n - (n + groups - 1) / groups; // shapes outside of the largest group, and so components and mean
   std::vector<std::vector<double>> square(static_cast<std::size_t>(groups));
+  std::vector<Eigen::Index> ranks(square.size());
   loop.for_each(groups, [&](int group) {
     const int inside = (n - group + groups - 1) / groups;
     Matrix others(r.rows(), n - inside), left_out(r.rows(), inside);
@@ -155,7 +151,7 @@ std::vector<double> errors_of_left_out(const Loop& loop, const Shape_set<const d
     left_out.colwise() -= mean;
     const Eigen::BDCSVD<Matrix> svd(others, Eigen::ComputeThinU);
     square[group].push_back(left_out.squaredNorm());
-    const Eigen::Index rank = rank_of(svd.singularValues(), deviations.rounding);
+    const Eigen::Index rank = ranks[group] = rank_of(svd.singularValues(), deviations.rounding);
     for(Eigen::Index k = 0; k + 1 < most; ++k) {
       if(k < rank) {
         const Vector u = svd.matrixU().col(k);
@@ -164,7 +160,7 @@ std::vector<double> errors_of_left_out(const Loop& loop, const Shape_set<const d
       square[group].push_back(left_out.squaredNorm());
     }
   });
-  std::vector<double> errors(static_cast<std::size_t>(most));
+  std::vector<double> errors(std::min<std::size_t>(most, 1 + *std::max_element(ranks.begin(), ranks.end())));
   for(std::size_t k = 0; k < errors.size(); ++k) {
     double sum = 0;
     for(const std::vector<double>& of_group : square)

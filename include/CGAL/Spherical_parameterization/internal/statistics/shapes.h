@@ -125,15 +125,21 @@ Shape_set<Number> shape_set(Shapes& shapes, const std::vector<double>& weights)
   return {std::move(first), entries, are_points ? 3 : 1, are_points ? 1 : entries, weights};
 }
 
-/// Moves the centre of a shape to the origin. Returns where it was.
+/// Moves the centre of a shape to the origin. Returns where it was. A coordinate that is the same everywhere becomes 0:
+/// what rounding leaves of it has no size that another shape could be scaled to.
 inline std::array<double, 3> centred(Shape_points& shape, const std::vector<double>& weights)
 {
+  constexpr double rounding = 1e-13;
   std::array<double, 3> centre = {0, 0, 0};
   for(std::size_t c = 0; c < 3; ++c) {
     for(std::size_t j = 0; j < shape.size(); ++j)
       centre[c] += weights[weights.size() == 1 ? 0 : j] * shape[j][c];
+    double largest = 0;
     for(auto& point : shape)
-      point[c] -= centre[c];
+      largest = (std::max)(largest, std::abs(point[c] -= centre[c]));
+    if(largest <= rounding * std::abs(centre[c]))
+      for(auto& point : shape)
+        point[c] = 0;
   }
   return centre;
 }

@@ -186,3 +186,12 @@ def test_names_that_are_no_utf8(tmp_path: Path) -> None:
     points, triangles = bumpy(2)
     sp.harmonics(triangles, sp.icosphere(2)[0], points, 2).save(file.with_suffix(".csv"))
     assert len(sp.read_harmonics(file.with_suffix(".csv")).coefficients) == 9
+
+
+def test_maps_of_any_radius_are_written_as_the_formats_have_them(tmp_path: Path) -> None:
+    sphere, triangles = sp.icosphere(2)
+    for name, radius in (("a.ply", 1), ("a.gii", 100), ("lh.a", 100)):
+        for factor in (1, 100, 7):
+            sp.write_mesh(tmp_path / name, factor * sphere, triangles, sphere=True)
+            assert np.allclose(sp.read_mesh(tmp_path / name)[0], radius * sphere, rtol=0, atol=1e-5 * radius)
+    sp.write_mesh(tmp_path / "a.ply", sp.parameterize(sphere * [1, 2, 3], triangles), triangles, sphere=True)

@@ -153,3 +153,12 @@ def test_wrong_arguments() -> None:
         sp.Harmonics(np.zeros(4)).best_rotation(sp.Harmonics(np.zeros((4, 3))))
     with pytest.raises(sp.MeshError):
         sp.harmonics(triangles, sphere, np.full(len(sphere), np.nan), 2)
+
+
+def test_the_radius_of_a_map_does_not_matter() -> None:
+    sphere, triangles = sp.icosphere(3)
+    points = sphere * [1, 2, 3]
+    for weights in ("equal", "sphere-area", "surface-area"):
+        one = sp.harmonics(triangles, sphere, points, 6, weights=weights).coefficients
+        other = sp.harmonics(triangles, 100 * sphere, points, 6, weights=weights).coefficients
+        assert np.allclose(one, other, rtol=0, atol=1e-10)

@@ -318,3 +318,7 @@ def test_memory_of_a_call(dtype: str) -> None:
     finally:
         tracemalloc.stop()
     assert result.sphere.nbytes <= peak < 1.1 * result.sphere.nbytes
+
+
+def test_progress_stops_short_calls_too() -> None:
+    assert sp.parameterize(*bumpy(2), progress=lambda fraction: False, warn=False).error == "INTERRUPTED"

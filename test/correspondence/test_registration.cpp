@@ -919,6 +919,12 @@ TEST_CASE("centring brings the centroid of any masses to the centre", "[registra
     CHECK((p - CGAL::ORIGIN).squared_length() == Approx(1));
   }
   CHECK(std::sqrt(sum.squared_length()) < 1e-11 * total);
+  for(double unit : {1e-170, 1e160}) { // of the masses
+    std::map<Vertex, Point> same;
+    const auto in_unit = [&](Vertex v) { return unit * mass.at(v); };
+    CHECK(SP::moebius_centred_map(a.mesh, a.map(), Readable_map<Vertex, double>{in_unit},
+                                  Writable_map<Vertex, Point>{&same}) < 1e-12);
+  }
   for(double wrong : {-1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     mass[Vertex(3)] = wrong;
     CHECK_THROWS_AS(

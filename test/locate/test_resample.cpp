@@ -90,6 +90,32 @@ TEST_CASE("values of all kinds are interpolated", "[transfer]")
     CHECK(number.at(v) == value(coarse.point(v)));
 }
 
+TEST_CASE("integers are rounded, not cut off", "[transfer]")
+{
+  const Mesh coarse = make_mesh(icosphere(3)), fine = make_mesh(icosphere(5));
+  const Locator locator(coarse, coarse.points());
+  using Colour = std::array<unsigned char, 3>;
+  const auto nearby = of_vertex<Point>([&](Vertex v) { return coarse.point(v) + 1e-14 * Vector(1, -2, 3); });
+  std::map<Vertex, int> number;
+  std::map<Vertex, Colour> colour;
+  SP::transfer_vertex_property(locator, of_vertex<int>([](Vertex v) { return int(v) % 10; }), coarse, nearby,
+                               Writable_map<Vertex, int>{&number});
+  SP::transfer_vertex_property(locator, of_vertex<Colour>([](Vertex v) {
+                                 return Colour{0, 255, (unsigned char)(v)};
+                               }),
+                               coarse, nearby, Writable_map<Vertex, Colour>{&colour});
+  for(Vertex v : vertices(coarse)) {
+    CHECK(number.at(v) == int(v) % 10);
+    CHECK((colour.at(v) == Colour{0, 255, (unsigned char)(v)}));
+  }
+  SP::transfer_vertex_property(locator, of_vertex<int>([](Vertex v) { return int(v) % 2; }), fine, fine.points(),
+                               Writable_map<Vertex, int>{&number});
+  double mean = 0;
+  for(Vertex v : vertices(fine))
+    mean += double(number.at(v)) / double(num_vertices(fine));
+  CHECK(mean == Approx(0.5).margin(0.06));
+}
+
 TEST_CASE("a value that is no number stays where it is", "[transfer]")
 {
   const Mesh mesh = make_mesh(icosphere(3));

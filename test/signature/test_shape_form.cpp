@@ -124,6 +124,7 @@ TEST_CASE("relevance: chains of similar shapes count, not the distance alone", "
 
 TEST_CASE("relevance: few shapes, and copies", "[signature][form]")
 {
+  CHECK(SP::relevance_of_shapes(shapes_at({})).empty());
   CHECK(SP::relevance_of_shapes(shapes_at({3})) == std::vector<double>{1});
   const std::vector<double> two = SP::relevance_of_shapes(shapes_at({3, 4}));
   CHECK(two[1] == Approx(0.95)); // the walk goes on with this probability

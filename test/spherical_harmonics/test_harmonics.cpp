@@ -211,6 +211,17 @@ TEST_CASE("least squares find spheres, moved spheres and ellipsoids", "[harmonic
   CHECK(difference(found.coefficients, expected) < 1e-10);
 }
 
+TEST_CASE("directions have any length but 0", "[harmonics]")
+{
+  const Coefficients c = random_coefficients(6, 1, 8);
+  const auto values = [&c](double length) {
+    return SP::harmonic_values(c, std::vector<Direction>{{length, -2 * length, 0.5 * length}}).at(0);
+  };
+  for(double length : {1e-300, 1e-161, 1e155, 1e300})
+    CHECK(values(length) == Approx(values(1)).epsilon(1e-12));
+  CHECK_THROWS_AS(values(0), SP::Error);
+}
+
 TEST_CASE("far from the origin harmonics keep their digits", "[harmonics]")
 {
   const Coefficients c = random_coefficients(6, 1, 7);

@@ -215,7 +215,52 @@ TEST_CASE("equal shapes, and one alone, have no modes", "[statistics]")
     CHECK(found.total_variance < 1e-28);
     CHECK(distance(found.mean, shape) < 1e-15);
   }
-  CHECK(SP::left_out_errors(one_core, Shapes(3, shape)).at(1) < 1e-15);
+  const std::vector<double> errors = SP::left_out_errors(one_core, Shapes(3, shape));
+  REQUIRE(errors.size() == 1); // without a mode
+  CHECK(errors[0] < 1e-15);
+}
+
+TEST_CASE("shapes have no more leave-out errors than modes", "[statistics]")
+{
+  const Shapes shapes = scattered_set(50, 0.2, 3);
+  Shapes few(shapes.size(), Shape_points(3));
+  for(std::size_t i = 0; i < shapes.size(); ++i)
+    std::copy_n(shapes[i].begin(), 3, few[i].begin());
+  CHECK(SP::shape_statistics(one_core, few).modes.size() == 9);
+  CHECK(SP::left_out_errors(one_core, few).size() == 10);
+}
+
+TEST_CASE("far from the origin modes stay orthonormal", "[statistics]")
+{
+  Shapes shapes = scattered_set(12, 1e-3, 4);
+  for(std::size_t i = 0; i < shapes.size(); ++i) // the first mode is much longer than the others
+    for(auto& p : shapes[i]) {
+      p[0] *= 1 + double(i);
+      p[1] += 1 << 20;
+    }
+  const auto found = SP::shape_statistics(one_core, shapes);
+  REQUIRE(found.modes.size() == 11);
+  for(std::size_t k = 0; k < found.modes.size(); ++k)
+    for(std::size_t l = 0; l <= k; ++l) {
+      double product = 0;
+      for(std::size_t v = 0; v < shapes[0].size(); ++v)
+        for(std::size_t c = 0; c < 3; ++c)
+          product += found.modes[k][v][c] * found.modes[l][v][c] / double(shapes[0].size());
+      CHECK(product == Approx(k == l ? 1 : 0).margin(1e-6));
+    }
+}
+
+TEST_CASE("a shape without size is not scaled up, wherever it is", "[statistics]")
+{
+  for(double place : {0., 1., 0.1}) {
+    Shapes shapes = scattered_set(4, 0.2, 5);
+    for(auto& p : shapes[1])
+      p = {place, place, place};
+    SP::Procrustes method;
+    method.scale = true;
+    CHECK(SP::align_shapes(one_core, shapes, method).motions[1].scale == 1);
+    CHECK((shapes[1] == Shape_points(shapes[1].size(), {0, 0, 0})));
+  }
 }
 
 TEST_CASE("rotating, moving and reordering shapes changes nothing but the order", "[statistics]")

@@ -594,6 +594,28 @@ TEST_CASE("data: what a format cannot hold is refused, not written", "[tool][dat
     }());
   check("two.csv", "lh.two", 1, "holds one column");
   check("two.csv", "two.shape.gii", 0, "");
+  std::string large = "a\n1e300\n";
+  for(int v = 1; v < 42; ++v)
+    large += "1\n";
+  write_text(scratch / "large.csv", large);
+  for(const char* name : {"large.func.gii", "large.shape.gii", "lh.large"})
+    check("large.csv", name, 1, "holds floats, and 'a' has larger numbers");
+  check("large.csv", "copy.csv", 0, "");
+}
+
+TEST_CASE("data: blanks beside commas are no part of numbers and names", "[tool][data]")
+{
+  Scratch scratch;
+  write_text(scratch / "in.csv", "a, b ,\tc, \" d \"\n1, 20, x y , \" z\"\n 3 ,40,x y,w\n");
+  const tool::Vertex_data data = tool::read_vertex_data(scratch / "in.csv", 2);
+  REQUIRE(data.size() == 4);
+  CHECK((data[0].name == "a" && data[1].name == "b" && data[2].name == "c" && data[3].name == " d "));
+  CHECK((data[0].values == std::vector<double>{1, 3}));
+  CHECK((data[1].values == std::vector<double>{20, 40}));
+  CHECK((data[2].is_label && data[2].values[0] == data[2].values[1]));
+  CHECK((data[3].is_label && data[3].values[0] != data[3].values[1]));
+  write_text(scratch / "in.csv", "a;b\n1;2\n3;4\n");
+  CHECK_THROWS_WITH(tool::read_vertex_data(scratch / "in.csv", 2), Catch::Contains("separate columns by commas"));
 }
 
 TEST_CASE("data: the largest key has no successor, which .annot has, too", "[tool][data]")

@@ -123,7 +123,7 @@ def face_distortion(
 class LengthChanges(OneLine):
     """How many times lengths become longer or shorter from a surface to another one, at least 1."""
 
-    of_faces: Doubles  #: (m,), in the direction in which they change most
+    of_faces: Doubles  #: (m,), in the direction in which they change most; 1 for faces of area 0
     factor: Distribution  #: of these values
     share_of_large: float  #: of the area, on which they are more than 3: what corresponds is squeezed or stretched
 

@@ -74,7 +74,8 @@ def laplacian_eigenpairs(
     """The smallest eigenvalues of the Laplace-Beltrami operator of a closed surface of genus 0, and their functions.
 
     They depend on lengths inside the surface only, so that two poses of a body have nearly the same. The Laplacian is that
-    of cotangents of the intrinsic Delaunay triangulation. No pair is missed.
+    of cotangents of the intrinsic Delaunay triangulation, with all edges longer by up to 1e-6 of the mean where triangles would have
+    no area: of surfaces that are a thousand times as long as wide, it resolves less. No pair is missed.
 
     Parameters
     ----------

@@ -714,7 +714,7 @@ def shape_signature(
     check(shape_signature, locals())
     if sphere is None:
         result = map_to_go_on(points, triangles, Balanced(), weights="clamped", policy=policy, warn=False)
-        if result.error is ErrorCode.NOT_CONVERGED:
+        if result.error is ErrorCode.NOT_CONVERGED or (not result and result.degree != 1):
             result = map_to_go_on(points, triangles, Balanced(), weights="barycentric", policy=policy, warn=False) or result
         sphere = result.sphere
     return _core.shape_signature(*_mesh(points, triangles, sphere), policy)

@@ -32,16 +32,20 @@ bool has_map(Error_code code)
 }
 
 /// Fills `row` but for its name. Throws.
-void sign(const std::string& file, bool mends, std::optional<Prepared_mesh>& prepared, Signature_row& row)
+void sign(const std::string& file, bool mends, std::optional<Prepared_mesh>* what_was_done, Signature_row& row)
 {
   row.version = version_with_hash(file);
   row.mending = mends ? Mending::NOTHING_TO_DO : Mending::NOT_ASKED;
+  std::optional<Prepared_mesh> prepared;
   const Mesh mesh =
     (mends ? read_prepared_mesh(file, Prepare::ALL, prepared)
            : read_mesh(file, Polygons::REFUSE, "--prepare does it", "triangulate the mesh, or use --prepare"))
       .mesh;
   if(was_mended(prepared))
     row.mending = Mending::DONE;
+  if(what_was_done)
+    *what_was_done = std::move(prepared);
+  prepared.reset();
   row.vertices = mesh.number_of_vertices();
   Mapping_options options;
   options.method = "balanced";
@@ -56,7 +60,7 @@ void sign(const std::string& file, bool mends, std::optional<Prepared_mesh>& pre
     throw Refusal(result.error, file,
                   get_error_message(result.error) + (result.detail.empty() ? "" : ": " + result.detail), "");
   row.map = result ? "clamped" : "uncertified";
-  if(result.error == Error_code::NOT_CONVERGED) {
+  if(result.error == Error_code::NOT_CONVERGED || (!result && result.degree != 1)) {
     Sphere barycentric;
     const Result other = compute(barycentric, "barycentric");
     if(other) {
@@ -97,7 +101,7 @@ void write_csv(std::ostream& out, const Signature_row& row)
 
 } // namespace
 
-std::optional<Signature_row> sign_mesh(const std::string& file, bool mends, std::optional<Prepared_mesh>& prepared)
+std::optional<Signature_row> sign_mesh(const std::string& file, bool mends, std::optional<Prepared_mesh>* what_was_done)
 {
   Signature_row row;
   row.name = file;
@@ -108,7 +112,7 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends, std:
     row.map.clear();
   };
   try {
-    sign(file, mends, prepared, row);
+    sign(file, mends, what_was_done, row);
     row.status = "OK";
   } catch(const Refusal& refusal) {
     fail(refusal);
@@ -135,8 +139,7 @@ Batch_summary update_index(const std::vector<std::string>& meshes, const std::st
   {
     Progress_bar bar("signatures");
     compute_in_parallel(missing.size(), threads, [&](std::size_t i) -> Store {
-      std::optional<Prepared_mesh> prepared;
-      const std::optional<Signature_row> row = sign_mesh(missing[i], mends, prepared);
+      const std::optional<Signature_row> row = sign_mesh(missing[i], mends);
       if(!row)
         return nullptr;
       return [&index, &finished, &bar, &meshes, row] {

@@ -15,12 +15,13 @@ namespace tool {
 
 /// The row of a mesh file, on one core: its signature, or what is wrong with it. The same every time, to the last bit.
 /// None if the program is interrupted meanwhile. If `mends`, the mesh is mended first, as by the command `prepare`, and
-/// `prepared` says what was done.
+/// `what_was_done` is filled in if it is given.
 ///
 /// The map is the conformal one, also where its only fault is faces flipped in limbs thinner than doubles resolve: all
-/// that the signature needs of a map is where the sphere is large. Where the conformal one does not converge, the
-/// barycentric one takes its place if it is valid.
-std::optional<Signature_row> sign_mesh(const std::string& file, bool mends, std::optional<Prepared_mesh>& prepared);
+/// that the signature needs of a map is where the sphere is large. Where the conformal one does not converge, or does
+/// not cover the sphere once, the barycentric one takes its place if it is valid.
+std::optional<Signature_row> sign_mesh(const std::string& file, bool mends,
+                                       std::optional<Prepared_mesh>* what_was_done = nullptr);
 
 struct Batch_summary {
   std::size_t meshes = 0;

@@ -213,7 +213,7 @@ std::vector<std::string> next_fields(const std::string& file, std::string_view& 
     } else if(text[i] == ',' && !is_quoted) {
       end_field();
       fields.emplace_back();
-    } else if(text[i] != '\r' || is_quoted)
+    } else if(is_quoted || (text[i] != '\r' && !(has_quotes && (text[i] == ' ' || text[i] == '\t'))))
       fields.back() += text[i];
   if(is_quoted)
     refuse_file(file, "a quotation mark has no end");
@@ -241,11 +241,13 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
     refuse_file(file, (row == 0 ? "the first line: " : "vertex " + std::to_string(row - 1) + ": ") + wrong, remedy);
   };
   text = without_mark(text);
+  const std::string_view first_line = text.substr(0, text.find('\n'));
   const std::vector<std::string> names = next_fields(file, text);
   double value = 0;
   if(std::all_of(names.begin(), names.end(), [&value](const std::string& name) { return is_number(name, value); }))
     refuse(0, "there are only numbers", "begin with a line of names");
-  if(names.size() == 1 && names[0].find_first_of(";\t") != std::string::npos)
+  if(names.size() == 1 && first_line.find('"') == std::string_view::npos &&
+     names[0].find_first_of(";\t") < names[0].size())
     refuse(0, "there is no comma between names", "separate columns by commas; the decimal point is '.'");
   if(std::find(names.begin(), names.end(), "") != names.end())
     refuse(0, "a column has no name", "name all of them, and leave out numbers of lines (pandas: index=False)");

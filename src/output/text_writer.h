@@ -17,10 +17,13 @@
 namespace tool {
 
 /// A field of a line of comma-separated values, in quotes where RFC 4180 asks for them, around commas, quotes and line
-/// breaks, and where a file that begins with the text would be taken for a compressed one ("BZh...").
+/// breaks; around what others take for separators, and blanks that they leave out; and where a file that begins with
+/// the text would be taken for a compressed one ("BZh...").
 inline std::string csv_quoted(const std::string& text)
 {
-  if(text.find_first_of(",\"\n\r") == std::string::npos && compression_of_content(text) == Compression::NONE)
+  const bool has_blank = !text.empty() && (text.front() == ' ' || text.back() == ' ');
+  if(!has_blank && text.find_first_of(",\"\n\r;\t") == std::string::npos &&
+     compression_of_content(text) == Compression::NONE)
     return text;
   std::string result = "\"";
   for(char c : text)

@@ -80,10 +80,11 @@ void Run::write_report()
   Json json;
   if(has_maps_)
     json = report_json(options, input, figures);
-  else
+  else {
     json = {{"version", SPHERICAL_PARAMETERIZATION_VERSION}, {"input", options.input}, {"settings", given}};
-  if(input.prepared)
-    json["preparation"] = sentences(input.prepared->preparation);
+    if(input.prepared)
+      json["preparation"] = sentences(input.prepared->preparation);
+  }
   if(options.input.empty())
     json.erase("input");
   if(!details.is_null())

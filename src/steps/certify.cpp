@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <sstream>
 
 namespace tool {
@@ -61,17 +60,10 @@ void certify(Run& run)
   const bool is_mirrored = input.result.degree == -1;
   // the measures are of maps that keep the orientation
   input.sphere = is_mirrored ? mirror_image(sphere.on_unit_sphere) : sphere.on_unit_sphere;
-  const std::size_t flipped =
-    is_mirrored ? certified(mirror_image(sphere.points)).flipped_faces : input.result.flipped_faces;
   input.result.seconds.certify = certifying.seconds();
   const Stopwatch measuring;
   run.figures.distortion = on_host(
     input, [&](const auto& policy) { return SP::distortion_summary(policy, input.mesh(), as_map(input.sphere)); });
-  if(flipped > 0) { // their areas on the sphere are negative
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    run.figures.distortion->log_area_stretch =
-      run.figures.distortion->spherical_symmetric_dirichlet = {none, none, none, none, none, none, none, none, none};
-  }
   run.figures.seconds_measure = measuring.seconds();
   stop_if_interrupted(run.options.input);
 
@@ -89,12 +81,14 @@ void certify(Run& run)
   say_distortion(text, *run.figures.distortion);
   run.text = text.str();
   run.line = "valid " + certificate.str() + ", " + std::to_string(result.number_of_vertices) + " vertices";
-  if(is_mirrored)
+  if(is_mirrored) {
+    const std::size_t left = certified(mirror_image(sphere.points)).flipped_faces;
     throw Refusal("MIRRORED", run.options.sphere,
                   std::string("is a mirror image, ") +
-                    (flipped == 0 ? std::string("otherwise a valid spherical map")
-                                  : "and its mirror image has " + std::to_string(flipped) + " flipped faces"),
+                    (left == 0 ? std::string("otherwise a valid spherical map")
+                               : "and its mirror image has " + std::to_string(left) + " flipped faces"),
                   "negate one coordinate of the sphere, or reverse the faces of the mesh");
+  }
   if(!result)
     throw Refusal(result.error, run.options.sphere, "is no valid spherical map: " + result.detail, "");
 }

@@ -191,7 +191,7 @@ void search(const Search_options& options, Run& run)
     refuse_file(options.index, "is not an index, and " + file + " does not exist",
                 "write it with the command 'signature'");
   const Shape_index index(file, Database::Access::READ); // before the work
-  const std::optional<Signature_row> row = sign_mesh(query, run.options.prepare != Prepare::NO, run.input.prepared);
+  const std::optional<Signature_row> row = sign_mesh(query, run.options.prepare != Prepare::NO, &run.input.prepared);
   if(!row)
     throw Refusal(Error_code::INTERRUPTED, query, "interrupted", "");
   if(!row->signature)

@@ -14,6 +14,7 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Patch.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
+#include <CGAL/Spherical_parameterization/resample.h>
 
 #include <catch2/catch.hpp>
 
@@ -163,6 +164,28 @@ TEST_CASE("conformal weights: faces that come out flipped are mended, and the ve
   CHECK(result.moved_vertices < soup.points.size() / 2);
   CHECK(solve(soup, sphere, with(Weights::CLAMPED)).moved_vertices == 0);
   CHECK(solve(icosphere(2), sphere, with(Weights::CONFORMAL)).moved_vertices == 0);
+}
+
+TEST_CASE("conformal weights: what is handed out is no worse than what was found before", "[conformal]")
+{
+  // The first start ends with 13 flipped faces and degree 0; the careful second one does not converge, but flips none.
+  const std::array<double, 12> radius = {1.2553, 0.7474, 1.3905, 0.3458, 1.5416, 4.9891,
+                                         0.4684, 0.6137, 0.6137, 2.6734, 1.4334, 3.5265};
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 3>> triangles;
+  SP::make_icosphere_soup(0, points, triangles);
+  Soup star;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    star.points.push_back(CGAL::ORIGIN + radius[i] * Vector(points[i][0], points[i][1], points[i][2]));
+  for(const auto& [a, b, c] : triangles)
+    star.faces.push_back({std::size_t(a), std::size_t(b), std::size_t(c)});
+  Settings settings;
+  settings.weights = Weights::CONFORMAL;
+  Sphere sphere;
+  const Result result = solve(star, sphere, settings);
+  CHECK(result.error == Error_code::NOT_CONVERGED);
+  CHECK(result.flipped_faces == 0);
+  CHECK(result.degree == 1);
 }
 
 TEST_CASE("conformal weights: a map whose mending is interrupted is interrupted, and not wrong", "[conformal]")

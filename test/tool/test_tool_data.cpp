@@ -606,7 +606,7 @@ TEST_CASE("data: what a format cannot hold is refused, not written", "[tool][dat
 TEST_CASE("data: blanks beside commas are no part of numbers and names", "[tool][data]")
 {
   Scratch scratch;
-  write_text(scratch / "in.csv", "a, b ,\tc, \" d \"\n1, 20, x y , \" z\"\n 3 ,40,x y,w\n");
+  write_text(scratch / "in.csv", "a, b ,\tc, \" d \" \n1, 20, x y , \" z\"\n 3 ,\"40\" ,x y,w\n");
   const tool::Vertex_data data = tool::read_vertex_data(scratch / "in.csv", 2);
   REQUIRE(data.size() == 4);
   CHECK((data[0].name == "a" && data[1].name == "b" && data[2].name == "c" && data[3].name == " d "));
@@ -614,6 +614,15 @@ TEST_CASE("data: blanks beside commas are no part of numbers and names", "[tool]
   CHECK((data[1].values == std::vector<double>{20, 40}));
   CHECK((data[2].is_label && data[2].values[0] == data[2].values[1]));
   CHECK((data[3].is_label && data[3].values[0] != data[3].values[1]));
+  write_data(scratch / "out.csv", data); // and are read as they were
+  const tool::Vertex_data again = tool::read_vertex_data(scratch / "out.csv", 2);
+  REQUIRE(again.size() == 4);
+  CHECK(again[3].name == " d ");
+  CHECK(again[3].table.size() == data[3].table.size());
+  for(std::size_t k = 0; k < data[3].table.size(); ++k)
+    CHECK(again[3].table[k].name == data[3].table[k].name);
+  write_text(scratch / "in.csv", "\"a;b\"\n1\n3\n");
+  CHECK(tool::read_vertex_data(scratch / "in.csv", 2).at(0).name == "a;b");
   write_text(scratch / "in.csv", "a;b\n1;2\n3;4\n");
   CHECK_THROWS_WITH(tool::read_vertex_data(scratch / "in.csv", 2), Catch::Contains("separate columns by commas"));
 }

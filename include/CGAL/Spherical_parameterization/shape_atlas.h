@@ -19,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -106,16 +105,7 @@ std::vector<double> weights_of_atlas(const ExecutionPolicy& policy, const Atlas_
                                      const std::vector<Shape_points>& shapes, Atlas_placement placement,
                                      const NamedParameters& np)
 {
-  if(placement != Atlas_placement::SIMILARITY)
-    return mean_vertex_areas(policy, atlas.mesh, shapes, np);
-  std::vector<double> shares(num_vertices(atlas.mesh), 0);
-  for(const Shape_points& shape : shapes) {
-    const std::vector<double> area = mean_vertex_areas(policy, atlas.mesh, {shape}, np);
-    const double all = std::accumulate(area.begin(), area.end(), 0.);
-    for(std::size_t v = 0; v < area.size() && all > 0; ++v)
-      shares[v] += area[v] / all;
-  }
-  return shares;
+  return vertex_weights_of_shapes(policy, atlas.mesh, shapes, placement == Atlas_placement::SIMILARITY, np);
 }
 
 template <class ExecutionPolicy, class NamedParameters>
@@ -133,7 +123,8 @@ Procrustes_alignment align_atlas(const ExecutionPolicy& policy, std::vector<Shap
 
 } // namespace internal
 
-/// Aligns the shapes of an atlas; vertices are weighted by their areas.
+/// Aligns the shapes of an atlas; vertices are weighted by their areas, mean over the shapes (of `SIMILARITY`: by their
+/// shares of the area of each).
 /// \param policy     as above
 /// \param atlas      the atlas of the shapes
 /// \param shapes     moved in place
@@ -145,6 +136,8 @@ Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mes
                                   std::vector<Shape_points>& shapes, Atlas_placement placement,
                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  if(placement == Atlas_placement::AS_THEY_STAND)
+    return {};
   return internal::align_atlas(policy, shapes, internal::weights_of_atlas(policy, atlas, shapes, placement, np),
                                placement, np);
 }
@@ -170,8 +163,8 @@ CGAL_SP_ON_ONE_CORE(mean_shape)
 
 /// Mean and modes of shapes.
 struct Atlas_statistics {
-  Procrustes_alignment alignment;            ///< the motions of the alignment
-  std::vector<double> weights;               ///< weights of the vertices: areas, averaged over the shapes
+  Procrustes_alignment alignment; ///< the motions of the alignment
+  std::vector<double> weights;    ///< of the vertices: areas, averaged over the shapes; of `SIMILARITY` sums of shares
   Shape_statistics<Shape_points> statistics; ///< with these weights
 };
 

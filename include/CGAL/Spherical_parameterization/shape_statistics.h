@@ -230,6 +230,26 @@ std::vector<double> vertex_variances(const ExecutionPolicy& policy, const std::v
 }
 CGAL_SP_ON_ONE_CORE(vertex_variances)
 
+namespace internal {
+
+/// See `mean_vertex_areas()`.
+/// \param are_shares  shares of the areas of each shape, so that large ones do not decide alone
+template <class ExecutionPolicy, class TriangleMesh, class NamedParameters>
+std::vector<double> vertex_weights_of_shapes(const ExecutionPolicy& policy, const TriangleMesh& mesh,
+                                             const std::vector<Shape_points>& shapes, bool are_shares,
+                                             const NamedParameters& np)
+{
+  static_cast<void>(checked_weights(shapes, {}));
+  Monitor monitor = make_monitor(np);
+  const Watched_loop loop(host_loop(policy), monitor);
+  Vertices<TriangleMesh> vertex;
+  const auto face = read_faces(mesh, Reading::UNCHECKED, loop.bare(), vertex).face;
+  CGAL_SP_PRECONDITION(shapes[0].size() == num_vertices(mesh), "the shapes have the vertices of the mesh");
+  return mean_areas_of_vertices(loop, face, shapes, are_shares);
+}
+
+} // namespace internal
+
 /// Areas of the vertices, to be used as weights: a third of the areas of their faces, averaged over the shapes. So
 /// dense samples, such as those of an icosphere on some parts of a shape, get small weights.
 /// \param mesh    the mesh of the shapes, a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -246,13 +266,7 @@ std::vector<double> mean_vertex_areas(const ExecutionPolicy& policy, const Trian
                                       const std::vector<Shape_points>& shapes,
                                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  static_cast<void>(internal::checked_weights(shapes, {}));
-  internal::Monitor monitor = internal::make_monitor(np);
-  const internal::Watched_loop loop(internal::host_loop(policy), monitor);
-  internal::Vertices<TriangleMesh> vertex;
-  const auto face = internal::read_faces(mesh, internal::Reading::UNCHECKED, loop.bare(), vertex).face;
-  CGAL_SP_PRECONDITION(shapes[0].size() == num_vertices(mesh), "the shapes have the vertices of the mesh");
-  return internal::mean_areas_of_vertices(loop, face, shapes);
+  return internal::vertex_weights_of_shapes(policy, mesh, shapes, false, np);
 }
 CGAL_SP_ON_ONE_CORE(mean_vertex_areas)
 

@@ -23,7 +23,8 @@ struct Distribution {
 };
 
 /// \ingroup PkgSphericalParameterizationMeasures
-/// The distortion of a map; see `measure_distortion.h` for the measures.
+/// The distortion of a map; see `measure_distortion.h` for the measures. Where faces are flipped, their areas on the
+/// sphere are negative: log area stretch and spherical energy are NaN then.
 struct Distortion_summary {
   Distribution log_area_stretch;    ///< see `face_log_area_stretch()`
   Distribution angle_distortion;    ///< radians; see `face_angle_distortion()`

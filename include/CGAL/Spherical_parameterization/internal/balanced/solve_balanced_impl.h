@@ -121,20 +121,17 @@ bool solve_until_valid(const Backend& backend, const Problem& problem, Start sta
     }
     if(settled == Settled::YES || is_hopeless || done >= maximum_iterations || monitor.is_interrupted())
       break;
-    if(is_certified && longest_factor > 1) {
-      typename Backend::Vectors first = backend.vectors(problem.size());
-      backend.copy(v, first);
-      leave(std::move(first), report, solution.certificate);
-    }
+    if(is_certified && longest_factor > 1)
+      leave(std::move(v), report, solution.certificate);
   }
-  if(settled != Settled::YES && best &&
-     (!is_certified || badness(best->certificate) < badness(solution.certificate))) { // what came then was worse
+  if(!is_certified && best)
+    solution.certificate = certify_as_stored(backend.host_loop(), problem, in_doubles(backend, problem, v));
+  if(settled != Settled::YES && best && badness(best->certificate) < badness(solution.certificate)) {
     std::swap(v, best->v);
     report.residual = best->report.residual;
     report.energy = best->report.energy;
     report.has_stalled = best->report.has_stalled;
-    solution.certificate = best->certificate;
-    is_certified = true;
+    is_certified = false; // to be mended whatever its faces are
   }
   report.has_converged = report.residual <= accuracy;
   return is_certified;

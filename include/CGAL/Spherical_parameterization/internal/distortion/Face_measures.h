@@ -90,6 +90,15 @@ public:
 
   double source_area(int f) const { return source_area_[f]; }
 
+  /// By the exact predicate, where the determinant does not tell.
+  bool is_flipped(int f) const
+  {
+    if(area_[f].determinant > 0)
+      return false;
+    const auto [a, b, c] = map_.of_image(f);
+    return !is_positively_oriented(a, b, c);
+  }
+
   /// Share of the source area over the share of the sphere, as a logarithm: positive where the map shrinks.
   double log_area_stretch(int f) const { return log_stretch(f, map_.of_image(f)); }
 

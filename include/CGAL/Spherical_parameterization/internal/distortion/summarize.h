@@ -149,11 +149,14 @@ CGAL_SP_INLINE Distortion_summary summarize(const Host_loop& loop, const Mapped_
     weight[f] = measures.source_area(f);
   });
   Distortion_summary summary;
-  summary.log_area_stretch = distribution(loop, value[0], weight);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const Distribution unknown = {none, none, none, none, none, none, none, none, none};
+  const bool is_flipped = first_index(loop, n, [&](int f) { return measures.is_flipped(f); }) < n;
+  summary.log_area_stretch = is_flipped ? unknown : distribution(loop, value[0], weight);
   summary.angle_distortion = distribution(loop, value[1], weight);
   summary.dilatation = distribution(loop, value[2], weight);
   summary.symmetric_dirichlet = distribution(loop, value[3], weight);
-  summary.spherical_symmetric_dirichlet = distribution(loop, value[4], weight);
+  summary.spherical_symmetric_dirichlet = is_flipped ? unknown : distribution(loop, value[4], weight);
   summary.degenerate_faces =
     static_cast<std::size_t>(std::count_if(weight.begin(), weight.end(), [](double w) { return !(w > 0); }));
   return summary;

@@ -33,9 +33,10 @@ Number weighted_mean_of_numbers(const std::array<double, 3>& w, Number x0, Numbe
 template <class Value>
 Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
 {
-  if constexpr(std::is_integral_v<Value>)
-    return stored_number<Value>(weighted_mean_of_numbers<double>(w, x0, x1, x2));
-  else if constexpr(std::is_arithmetic_v<Value>)
+  if constexpr(std::is_integral_v<Value>) {
+    const auto [least, largest] = std::minmax({x0, x1, x2}); // beyond 2^53, too
+    return std::clamp(stored_number<Value>(weighted_mean_of_numbers<double>(w, x0, x1, x2)), least, largest);
+  } else if constexpr(std::is_arithmetic_v<Value>)
     return static_cast<Value>(weighted_mean_of_numbers<std::common_type_t<double, Value>>(w, x0, x1, x2));
   else if constexpr(Is_linear<Value>::value) {
     const Value& some = w[0] != 0 ? x0 : w[1] != 0 ? x1 : x2; // 0 times this is 0

@@ -57,9 +57,10 @@ CGAL_SP_CORE double centre_by_mass(const Host_array<double>& mass, Host_array<ve
   }
   if(largest == 0)
     throw Input_error(Error_code::BAD_WEIGHT, "there is no mass");
+  const int exponent = std::ilogb(largest);
   Host_array<double> in_unit = mass; // by a power of 2, so that sums and squares neither overflow nor vanish
   for(double& m : in_unit)
-    m = std::scalbn(m, -std::ilogb(largest));
+    m = std::scalbn(m, -exponent);
   const Centring centring(Host_loop(), in_unit, image);
   for(vec3& p : image)
     p = centring(p);

@@ -73,7 +73,8 @@ Solver_report descend_by_saddle_points(const Backend& backend, const Shared_grap
     const double goal = (std::max)(accuracy * residual, far_below * accuracy);
     const std::size_t most = report.sweeps + most_sweeps_per_vertex * static_cast<std::size_t>(n);
     while(residual > goal && report.sweeps < most && monitor.advance(share)) {
-      for(std::size_t k = 0; k < method.check_interval && monitor.may_loop_go_on(); ++k, ++report.sweeps)
+      for(std::size_t k = 0; k < method.check_interval && report.sweeps < most && monitor.may_loop_go_on();
+          ++k, ++report.sweeps)
         if(is_jacobi) {
           backend.jacobi_sweep(matrix, method.relaxation, v, u, w);
           std::swap(u, w);

@@ -33,7 +33,7 @@ std::vector<double> diffused_similarity(std::size_t n, Distance distance)
   for(Eigen::Index i = 0; i < size; ++i)
     for(Eigen::Index j = 0; j <= i; ++j)
       between(i, j) = between(j, i) = i == j ? 0 : distance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  constexpr double rounding = 1e-6; // copies in other places and sizes are that near
+  constexpr double rounding = 1e-6; // of the largest distance: copies in other places and sizes are that near
   const double negligible = rounding * between.maxCoeff();
   const auto is_copy = [&](Eigen::Index i, Eigen::Index j) { return between(i, j) <= negligible; };
   // neighbours, and how far the last one is; copies come in addition, or many of them would cut themselves off

@@ -173,17 +173,26 @@ std::vector<double> variances_of_vertices(const Loop& loop, const std::vector<Sh
 }
 
 /// A third of the areas of its faces, mean over the shapes, by vertex.
+/// \param are_shares  of the area of each shape
 template <class Loop>
 std::vector<double> mean_areas_of_vertices(const Loop& loop, const Host_array<std::array<int, 3>>& face,
-                                           const std::vector<Shape_points>& shapes)
+                                           const std::vector<Shape_points>& shapes, bool are_shares)
 {
+  const auto area_of = [&face](const Shape_points& shape, int f) {
+    const auto at = [&](int corner) { return coordinates(shape[face[f][corner]]); };
+    return norm(outer(sub(at(1), at(0)), sub(at(2), at(0)))) / 2;
+  };
+  const int n = static_cast<int>(face.size());
+  std::vector<double> unit(shapes.size(), 1);
+  for(std::size_t i = 0; i < shapes.size() && are_shares; ++i) {
+    const double whole = sum_by_parts(loop, n, [&](int f) { return area_of(shapes[i], f); });
+    unit[i] = whole > 0 ? whole : 1;
+  }
   Host_array<double> area(face.size());
-  for_each_index(loop, static_cast<int>(face.size()), [&](int f) {
+  for_each_index(loop, n, [&](int f) {
     area[f] = 0;
-    for(const Shape_points& shape : shapes) {
-      const auto at = [&](int corner) { return coordinates(shape[face[f][corner]]); };
-      area[f] += norm(outer(sub(at(1), at(0)), sub(at(2), at(0)))) / 2;
-    }
+    for(std::size_t i = 0; i < shapes.size(); ++i)
+      area[f] += area_of(shapes[i], f) / unit[i];
   });
   std::vector<double> result(shapes[0].size(), 0);
   for(std::size_t f = 0; f < face.size(); ++f)

@@ -85,7 +85,7 @@ inline Host_array<double> vertex_areas(const Host_loop& loop, const Host_array<s
 /// first, and kept: see `Kept`. The arrays must not be changed after that.
 struct Surface {
   Host_array<std::array<int, 3>> face; ///< in the order of the mesh, counterclockwise
-  Host_array<vec3> point;              ///< in a box of size 1; may be left out
+  Host_array<vec3> point;              ///< in a box of size 1, for measures up to 4, anywhere; may be left out
   Host_array<int> position;            ///< the numbers of the vertices in the mesh; empty: they are the same
   int number_of_vertices = 0;
   bool is_simplicial = true; ///< no edge ends where it begins, no two have the same ends; of a mesh that was checked

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
-#include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>
@@ -14,6 +13,16 @@
 #include <cmath>
 
 namespace CGAL::Spherical_parameterization::internal {
+
+/// A point or vector of the plane.
+struct vec2 {
+  double x, y;
+};
+inline vec2 add(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
+inline vec2 sub(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
+inline vec2 scale(double s, vec2 a) { return {s * a.x, s * a.y}; }
+inline double inner(vec2 a, vec2 b) { return a.x * b.x + a.y * b.y; }
+inline double distance(vec2 a, vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// An orthonormal frame with z to the north pole.
 struct Frame {

@@ -7,22 +7,12 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
+#include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
 #include <CGAL/Spherical_parameterization/values/texture_options.h>
 
 #include <array>
-#include <cmath>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// A point or vector of the plane.
-struct vec2 {
-  double x, y;
-};
-inline vec2 add(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline vec2 sub(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline vec2 scale(double s, vec2 a) { return {s * a.x, s * a.y}; }
-inline double inner(vec2 a, vec2 b) { return a.x * b.x + a.y * b.y; }
-inline double distance(vec2 a, vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// What is to be put into the texture.
 struct Texture_layout {

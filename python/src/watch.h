@@ -14,7 +14,7 @@
 struct Watch {
   py::object progress = py::none(); ///< or a callable
   bool was_ctrl_c = false;
-  std::chrono::steady_clock::time_point last; ///< long ago: the first call asks
+  std::chrono::steady_clock::time_point last = {}; ///< long ago: the first call asks
 
   bool operator()(double fraction)
   {

@@ -292,8 +292,8 @@ def parameterize(
     maximum_running_time : float
         Seconds after which the call ends with the best map so far and `error` INTERRUPTED.
     progress : callable, or bar of tqdm
-        Called with the fraction of the work done, up to 20 times a second. If it returns False, the call ends with the
-        best map so far and `error` INTERRUPTED.
+        Called with the fraction of the work done, at the beginning, up to 20 times a second, and at the end. If it returns False,
+        the call ends with the best map so far and `error` INTERRUPTED; a `MeshError` says so if there is none yet.
     verbose : bool
         Logs every iteration to stderr.
     warn : bool

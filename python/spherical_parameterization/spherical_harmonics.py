@@ -56,7 +56,7 @@ class Harmonics(OneLine):
     >>> ellipsoid = sp.harmonics(triangles, sphere, sphere * [3, 2, 1], degree=8)
     >>> ellipsoid.ellipsoid().radii.round(6).tolist()
     [3.0, 2.0, 1.0]
-    >>> ellipsoid.at([[1, 0, 0]]).round(6).tolist()
+    >>> abs(ellipsoid.at([[1, 0, 0]])).round(6).tolist()
     [[3.0, 0.0, 0.0]]
     """
 

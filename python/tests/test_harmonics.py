@@ -159,6 +159,6 @@ def test_the_radius_of_a_map_does_not_matter() -> None:
     sphere, triangles = sp.icosphere(3)
     points = sphere * [1, 2, 3]
     for weights in ("equal", "sphere-area", "surface-area"):
-        one = sp.harmonics(triangles, sphere, points, 6, weights=weights).coefficients
-        other = sp.harmonics(triangles, 100 * sphere, points, 6, weights=weights).coefficients
+        one = sp.harmonics(triangles, sphere, points, 6, weights=weights, points=points).coefficients
+        other = sp.harmonics(triangles, 100 * sphere, points, 6, weights=weights, points=points).coefficients
         assert np.allclose(one, other, rtol=0, atol=1e-10)

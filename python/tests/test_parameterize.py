@@ -229,7 +229,7 @@ def test_progress_stops() -> None:
 
 
 def test_false_of_numpy_ends_a_call() -> None:
-    result = sp.parameterize(*bumpy(5), **endless(), progress=lambda fraction: np.False_, warn=False)
+    result = sp.parameterize(*bumpy(5), **endless(), progress=lambda fraction: np.bool_(fraction == 0), warn=False)
     assert result.termination == "callback"
 
 
@@ -321,4 +321,6 @@ def test_memory_of_a_call(dtype: str) -> None:
 
 
 def test_progress_stops_short_calls_too() -> None:
-    assert sp.parameterize(*bumpy(2), progress=lambda fraction: False, warn=False).error == "INTERRUPTED"
+    with pytest.raises(sp.MeshError, match="before there was a map") as refused:
+        sp.parameterize(*bumpy(2), progress=lambda fraction: False)
+    assert refused.value.code == "INTERRUPTED"

@@ -58,7 +58,7 @@ TEST_CASE("the accuracy of an isometric map is the one that was asked for", "[te
   CHECK(of_fine.termination == Termination::CONVERGED);
   CHECK(of_fine.residual <= 1e-9);
   CHECK(of_fine.iterations > of_rough.iterations);
-  CHECK(of_fine.energy < of_rough.energy);
+  CHECK(of_fine.energy < of_rough.energy * (1 + 1e-6)); // of metrics with six digits
 }
 
 TEST_CASE("limits and refusals have their own reasons", "[termination]")

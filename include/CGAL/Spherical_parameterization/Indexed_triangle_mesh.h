@@ -103,7 +103,8 @@ public:
     : Indexed_triangle_mesh(CGAL::Sequential_tag(), points, triangles)
   {}
 
-  /// The same on the threads of a policy, `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+  /// The same on the threads of a policy.
+  /// \param policy     `CGAL::Sequential_tag` or `CGAL::Parallel_tag`
   /// \param points     as above
   /// \param triangles  as above
   template <class ExecutionPolicy, class PointRange, class TriangleRange>

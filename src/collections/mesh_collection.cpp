@@ -87,10 +87,14 @@ std::string settings_of(const Collection& collection, const Job& job)
   return text;
 }
 
+std::string database_of(const Collection& collection) { return collection.folder + "/meshes.db"; }
+
 void check_outputs(const Collection& collection)
 {
   Places place;
   std::unordered_map<std::string, std::string> files; // by place: what each is
+  if(!collection.folder.empty())
+    files.emplace(place(database_of(collection)).string(), "the results of the run");
   for(const Item& item : collection.items) {
     files.emplace(place(item.mesh).string(), "the mesh " + item.mesh);
     for(const std::string& input : collection.job(item).inputs)
@@ -169,7 +173,7 @@ int run_collection(const Collection& collection)
   std::optional<Results> results;
   if(!collection.folder.empty()) {
     Atomic_file::create_folder(collection.folder);
-    results.emplace(collection.folder + "/meshes.db");
+    results.emplace(database_of(collection));
     std::unordered_set<std::string> ours; // nobody else's: there is one run at a time
     for(const Item& item : items)
       for(const std::string& output : collection.job(item).outputs)

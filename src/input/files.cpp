@@ -30,8 +30,9 @@ std::vector<std::string> meshes_in(const std::string& folder)
     const bool is_hidden = it->path().filename().string().front() == '.'; // as what macOS leaves beside a file
     if(is_hidden)
       it.disable_recursion_pending();
-    std::error_code none; // of a link to nowhere: no regular file
-    if(!is_hidden && it->is_regular_file(none) && is_mesh_file(it->path().string()))
+    std::error_code none;
+    const bool leads_nowhere = it->is_symlink(none) && !it->exists(none); // will be refused: it is missing
+    if(!is_hidden && (it->is_regular_file(none) || leads_nowhere) && is_mesh_file(it->path().string()))
       files.push_back(it->path().string());
   }
   if(error)

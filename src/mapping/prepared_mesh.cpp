@@ -192,7 +192,9 @@ std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& 
     const std::size_t g = place(nearest[f]);
     const Corners corners = corners_of(surface.points, surface.faces[g]);
     for(std::size_t k = 0; k < 3; ++k) {
-      const std::array<double, 3> weights = weights_of_nearest(corners, soup.points[place(soup.triangles[f][k])]);
+      const Vector& p = soup.points[place(soup.triangles[f][k])];
+      const std::array<double, 3> weights =
+        is_finite(p) ? weights_of_nearest(corners, p) : std::array<double, 3>{1. / 3, 1. / 3, 1. / 3};
       auto& uv = result[3 * f + (k + 2) % 3]; // the halfedge that ends at corner k
       for(std::size_t i = 0; i < 3; ++i) {
         uv.first += weights[i] * coordinates[3 * g + (i + 2) % 3].first;

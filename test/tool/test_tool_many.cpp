@@ -543,6 +543,9 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
   check({"map", folder, "-o", out, "--format", "stl"}, "--format");
   check({"map", folder, "-o", out, "--report", out + "/report.json"}, "'/'");
   check({"map", folder, "-o", out, "--report", "ply"}, "would overwrite an output for");
+  write_off(folder + "/meshes.off", icosphere(1));
+  check({"prepare", folder, "-o", out, "--vertex-map", "db"}, "would overwrite the results of the run");
+  fs::remove(folder + "/meshes.off");
   check({"map", folder + "/0.off", folder + "/1.off", "-o", folder + "/", "--format", "off"},
         "would overwrite the mesh");
   check({"map", "--list", scratch / "file", "-o"}, "--output");
@@ -605,6 +608,19 @@ TEST_CASE("many: what is wrong with the outputs ends the run", "[tool][many]")
   if(word == "no database")
     fs::remove(out + "/meshes.db");
   CHECK(lines_of(run_tool(command).out).size() == 15);
+}
+
+TEST_CASE("many: a link that leads nowhere is a mesh that is missing", "[tool][many]")
+{
+  Scratch scratch;
+  fs::create_directories(scratch / "in");
+  write_off(scratch / "in/a.off", icosphere(1));
+  fs::create_symlink("nowhere", scratch / "in/b.off");
+  const Process_result run = run_tool({"map", scratch / "in", "-o", scratch / "out"});
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(run.out.find("b.off: does not exist") != std::string::npos);
+  CHECK(fs::exists(scratch / "out/a.off"));
 }
 
 TEST_CASE("many: one run at a time writes a folder", "[tool][many]")

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -787,6 +788,21 @@ TEST_CASE("prepare: glTF cannot hold copies of vertices, and that is said", "[to
   CHECK(run_tool({"map", scratch / "out.glb", "-o", scratch / "sphere.ply"}).exit_code != 0);
 }
 
+TEST_CASE("prepare: the distance is that of the file, also of floats", "[tool]")
+{
+  Scratch scratch;
+  const std::string in =
+    write_off(scratch / "in.off",
+              transformed(icosphere(2), [](const Point& p) { return Point(1e7 + p.x(), 1e7 + p.y(), 1e7 + p.z()); }));
+  for(const std::string name : {"out.ply", "out.gii", "lh.out"}) {
+    const Process_result run = run_tool({"prepare", in, "-o", scratch / name, "--report", scratch / "report.json"});
+    CAPTURE(name, run.out, run.err);
+    REQUIRE(run.exit_code == 0);
+    const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
+    CHECK((report["distance_from_output_to_input"][1].get<double>() > 0.1) == (name != "out.ply"));
+  }
+}
+
 TEST_CASE("prepare --merge-distance: what is at the same place becomes one, whatever is near it", "[tool]")
 {
   Scratch scratch;
@@ -898,7 +914,9 @@ TEST_CASE("segment --prepare: a label for every face of the file", "[tool]")
 TEST_CASE("texture --prepare: coordinates for every face of the file", "[tool]")
 {
   Scratch scratch;
-  const Soup soup = joined(torus(24, 8), icosphere(1), Vector(9, 0, 0));
+  Soup soup = joined(torus(24, 8), icosphere(1), Vector(9, 0, 0));
+  soup.points.push_back(Point(0, 0, std::numeric_limits<double>::quiet_NaN())); // its face is left out
+  soup.faces.push_back({0, 1, soup.points.size() - 1});
   const Process_result run = run_tool(
     {"texture", write_off(scratch / "in.off", soup), "-o", scratch / "out.obj", "--prepare", "--method", "automatic"});
   CAPTURE(run.err);

@@ -12,6 +12,7 @@
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/resampling_weights.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
+#include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>
@@ -104,7 +105,12 @@ TEST_CASE("integers are rounded, not cut off", "[transfer]")
                                  return Colour{0, 255, (unsigned char)(v)};
                                }),
                                coarse, nearby, Writable_map<Vertex, Colour>{&colour});
+  constexpr auto most = std::numeric_limits<std::size_t>::max(); // "none", as a number
+  std::map<Vertex, std::size_t> index;
+  SP::transfer_vertex_property(locator, of_vertex<std::size_t>([](Vertex v) { return v < Vertex(99) ? most : 7; }),
+                               coarse, nearby, Writable_map<Vertex, std::size_t>{&index});
   for(Vertex v : vertices(coarse)) {
+    CHECK(index.at(v) == (v < Vertex(99) ? most : 7));
     CHECK(number.at(v) == int(v) % 10);
     CHECK((colour.at(v) == Colour{0, 255, (unsigned char)(v)}));
   }
@@ -359,6 +365,25 @@ TEST_CASE("to its own sphere a mesh keeps its values, in both ways", "[resample]
   const auto weights = SP::area_preserving_resampling(locator, round.points(), areas, locator, round.points(), areas);
   CHECK(weights.means(values) == values);
   CHECK(weights.majorities(values) == values);
+}
+
+TEST_CASE("vertices that were removed do not count", "[resample]")
+{
+  const Mesh mesh = make_mesh(icosphere(2));
+  Mesh with_garbage = mesh;
+  with_garbage.remove_vertex(with_garbage.add_vertex(Point(1, 2, 3)));
+  REQUIRE(num_vertices(with_garbage) > with_garbage.number_of_vertices());
+  std::vector<Point> images;
+  for(Vertex v : vertices(mesh))
+    images.push_back(mesh.point(v));
+  const auto weights = [&](const Mesh& m) {
+    const Locator locator(m, m.points());
+    const SP::Shape_points shape(images.size(), {1, 2, 3});
+    CHECK(SP::mean_vertex_areas(m, std::vector<SP::Shape_points>{shape}).size() == images.size());
+    const std::vector<double> areas(images.size(), 1);
+    return SP::area_preserving_resampling(locator, images, areas, locator, images, areas).weight;
+  };
+  CHECK((weights(with_garbage) == weights(mesh)));
 }
 
 TEST_CASE("icospheres", "[resample]")

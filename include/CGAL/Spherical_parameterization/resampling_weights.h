@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -195,8 +196,11 @@ Resampling_weights area_preserving_resampling(const ExecutionPolicy& policy, con
   const auto loop = internal::host_loop(policy);
   const auto from_images = internal::vectors_of(from_sphere), to_images = internal::vectors_of(to_sphere);
   const auto is_area = [](double area) { return area >= 0 && std::isfinite(area); };
-  CGAL_SP_PRECONDITION(from_areas.size() == num_vertices(from.mesh()) && from_areas.size() == from_images.size() &&
-                         to_areas.size() == num_vertices(to.mesh()) && to_areas.size() == to_images.size() &&
+  const auto size = [](const auto& mesh) { // num_vertices() counts those that were removed, too
+    return static_cast<std::size_t>(std::distance(vertices(mesh).begin(), vertices(mesh).end()));
+  };
+  CGAL_SP_PRECONDITION(from_areas.size() == size(from.mesh()) && from_areas.size() == from_images.size() &&
+                         to_areas.size() == size(to.mesh()) && to_areas.size() == to_images.size() &&
                          std::all_of(from_areas.begin(), from_areas.end(), is_area) &&
                          std::all_of(to_areas.begin(), to_areas.end(), is_area),
                        "there is an image, and an area, finite and not negative, for every vertex");

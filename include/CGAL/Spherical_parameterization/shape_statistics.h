@@ -244,7 +244,7 @@ std::vector<double> vertex_weights_of_shapes(const ExecutionPolicy& policy, cons
   const Watched_loop loop(host_loop(policy), monitor);
   Vertices<TriangleMesh> vertex;
   const auto face = read_faces(mesh, Reading::UNCHECKED, loop.bare(), vertex).face;
-  CGAL_SP_PRECONDITION(shapes[0].size() == num_vertices(mesh), "the shapes have the vertices of the mesh");
+  CGAL_SP_PRECONDITION(shapes[0].size() == vertex.size(), "the shapes have the vertices of the mesh");
   return mean_areas_of_vertices(loop, face, shapes, are_shares);
 }
 

@@ -23,18 +23,22 @@ struct Has_xyz<Point,
                std::void_t<decltype(std::declval<const Point&>().x()), decltype(std::declval<const Point&>().y()),
                            decltype(std::declval<const Point&>().z())>> : std::true_type {};
 
+/// A number of any type.
+template <class Number>
+double as_double(const Number& x)
+{
+  using CGAL::to_double;
+  if constexpr(std::is_convertible_v<Number, double>) // CGAL does not know all of these
+    return static_cast<double>(x);
+  else
+    return to_double(x);
+}
+
 /// The coordinates of a point of any kernel or vector library, as doubles: x(), y(), z() if there are such members,
 /// else p[0], p[1], p[2].
 template <class Point>
 vec3 coordinates(const Point& p)
 {
-  const auto as_double = [](const auto& x) -> double {
-    using CGAL::to_double;
-    if constexpr(std::is_arithmetic_v<std::decay_t<decltype(x)>>) // CGAL knows not all of these
-      return x;
-    else
-      return to_double(x);
-  };
   if constexpr(Has_xyz<Point>::value)
     return {as_double(p.x()), as_double(p.y()), as_double(p.z())};
   else

@@ -149,7 +149,7 @@ Host_array<double> read_densities(const Range& range, const std::optional<Densit
   if(!map)
     return density;
   for(const auto& element : range) {
-    density.push_back(CGAL::to_double(get(*map, element)));
+    density.push_back(as_double(get(*map, element)));
     if(!(density.back() > 0 && std::isfinite(density.back())))
       throw Input_error(Error_code::BAD_DENSITY, what + ' ' + std::to_string(density.size() - 1) + " has the density " +
                                                    to_string(density.back()) +

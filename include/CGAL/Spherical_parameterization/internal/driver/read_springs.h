@@ -111,7 +111,7 @@ Springs read_springs(const TriangleMesh& mesh, const Surface& surface, const Ver
     for(auto h : halfedges_around_target(halfedge(vertex[i], mesh), mesh)) {
       const int j = index[numbering(source(h, mesh))];
       if(j <= i)
-        f(h, CGAL::to_double(get(weights, edge(h, mesh))), j);
+        f(h, as_double(get(weights, edge(h, mesh))), j);
     }
   };
   const auto is_good = [](double w) { return w > 0 && std::isfinite(w); };

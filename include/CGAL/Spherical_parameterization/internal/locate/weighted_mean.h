@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -34,8 +35,11 @@ template <class Value>
 Value weighted_mean(const std::array<double, 3>& w, const Value& x0, const Value& x1, const Value& x2)
 {
   if constexpr(std::is_integral_v<Value>) {
-    const auto [least, largest] = std::minmax({x0, x1, x2}); // beyond 2^53, too
-    return std::clamp(stored_number<Value>(weighted_mean_of_numbers<double>(w, x0, x1, x2)), least, largest);
+    const auto [least, largest] = std::minmax({x0, x1, x2});
+    const double mean = std::round(weighted_mean_of_numbers<double>(w, x0, x1, x2));
+    if(mean <= static_cast<double>(least) || mean >= static_cast<double>(largest)) // beyond 2^53 these are rounded
+      return mean <= static_cast<double>(least) ? least : largest;
+    return static_cast<Value>(mean);
   } else if constexpr(std::is_arithmetic_v<Value>)
     return static_cast<Value>(weighted_mean_of_numbers<std::common_type_t<double, Value>>(w, x0, x1, x2));
   else if constexpr(Is_linear<Value>::value) {

@@ -12,7 +12,6 @@
 #include <CGAL/Spherical_parameterization/resample.h>
 #include <CGAL/Spherical_parameterization/resampling_weights.h>
 #include <CGAL/Spherical_parameterization/shape_statistics.h>
-#include <CGAL/Spherical_parameterization/shape_statistics.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>

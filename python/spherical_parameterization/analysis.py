@@ -43,7 +43,7 @@ class Distribution:
 class DistortionSummary:
     """The distortion of a map in figures."""
 
-    log_area_stretch: Distribution  #: log((source area / its total) / (spherical area / 4 pi)); 0 is none
+    log_area_stretch: Distribution  #: log((source area / its total) / (spherical area / 4 pi)); 0 is none; NaN where faces are flipped
     angle_distortion: Distribution  #: radians; 0 is none
     dilatation: Distribution  #: quasi-conformal dilatation, the ratio of the principal stretches; 1 is none
     symmetric_dirichlet: Distribution  #: symmetric Dirichlet energy between flat triangles; 4 is isometric

@@ -107,7 +107,7 @@ TEST_CASE("integers are rounded, not cut off", "[transfer]")
   constexpr auto most = std::numeric_limits<std::size_t>::max(); // "none", as a number
   std::map<Vertex, std::size_t> index;
   SP::transfer_vertex_property(locator, of_vertex<std::size_t>([](Vertex v) { return v < Vertex(99) ? most : 7; }),
-                               coarse, nearby, Writable_map<Vertex, std::size_t>{&index});
+                               coarse, coarse.points(), Writable_map<Vertex, std::size_t>{&index});
   for(Vertex v : vertices(coarse)) {
     CHECK(index.at(v) == (v < Vertex(99) ? most : 7));
     CHECK(number.at(v) == int(v) % 10);

@@ -620,7 +620,7 @@ TEST_CASE("many: a link that leads nowhere is a mesh that is missing", "[tool][m
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 1);
   CHECK(run.out.find("b.off: does not exist") != std::string::npos);
-  CHECK(fs::exists(scratch / "out/a.off"));
+  CHECK(fs::exists(scratch / "out/a.ply"));
 }
 
 TEST_CASE("many: one run at a time writes a folder", "[tool][many]")

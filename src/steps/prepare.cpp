@@ -266,12 +266,13 @@ void prepare(const Prepare_options& options, Run& run, Prepared& prepared)
   prepared.seconds_read = reading.seconds();
   const Stopwatch preparing;
   prepared.preparation = tool::prepare(input, *prepared.soup, settings_of(options));
-  if(!run.file().empty() && stores_floats(run.mesh_format().format)) // the distance is that of the file
-    for(Glued_surface& part : prepared.preparation->parts) {
-      check_float_range(run.file(), part.points);
-      for(Point& p : part.points)
-        p = as_stored(run.mesh_format().format, Surface::SHAPE, p);
-    }
+  if(!run.file().empty()) // the distance is that of the file
+    if(const Mesh_format format = run.mesh_format().format; stores_floats(format))
+      for(Glued_surface& part : prepared.preparation->parts) {
+        check_float_range(run.file(), part.points);
+        for(Point& p : part.points)
+          p = as_stored(format, Surface::SHAPE, p);
+      }
   prepared.seconds_prepare = preparing.seconds();
   const Stopwatch measuring;
   prepared.distance = hausdorff_distance(*prepared.soup, prepared.preparation->parts, tolerance * prepared.diagonal,

@@ -19,7 +19,8 @@ namespace {
 
 namespace preparation = CGAL::Spherical_parameterization::preparation;
 
-preparation::Glued_surface glued(const test::Soup& mesh)
+preparation::Glued_surface glued(
+  const test::Soup& mesh, const std::function<void()>& go_on = [] {})
 {
   preparation::Wrapping soup;
   for(const test::Point& p : mesh.points)
@@ -27,7 +28,7 @@ preparation::Glued_surface glued(const test::Soup& mesh)
   for(const auto& face : mesh.faces)
     soup.triangles.push_back({int(face[0]), int(face[1]), int(face[2])});
   preparation::Gluing_defects none;
-  return preparation::glue(soup, 0, none, [] {});
+  return preparation::glue(soup, 0, none, go_on);
 }
 
 /// Closed, random, with hundreds of handles: both sides of every edge are those of any two triangles.
@@ -83,11 +84,6 @@ TEST_CASE("handles that are cut at once leave a sphere", "[tool][preparation]")
 TEST_CASE("gluing and cutting can be stopped wherever they ask", "[tool][preparation]")
 {
   const test::Soup torus = test::torus(16, 8);
-  preparation::Wrapping soup;
-  for(const test::Point& p : torus.points)
-    soup.points.push_back({p.x(), p.y(), p.z()});
-  for(const auto& face : torus.faces)
-    soup.triangles.push_back({int(face[0]), int(face[1]), int(face[2])});
   const auto check = [](const auto& work, int least) { // work(go_on) asks so often
     int all = 0;
     work([&all] { ++all; });
@@ -102,8 +98,7 @@ TEST_CASE("gluing and cutting can be stopped wherever they ask", "[tool][prepara
       CHECK(asked == last + 1);
     }
   };
-  preparation::Gluing_defects none;
-  check([&](const std::function<void()>& go_on) { preparation::glue(soup, 0, none, go_on); }, 5);
+  check([&](const std::function<void()>& go_on) { glued(torus, go_on); }, 5);
   check(
     [&](const std::function<void()>& go_on) {
       preparation::Glued_surface surface = glued(torus);

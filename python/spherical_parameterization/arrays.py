@@ -55,10 +55,11 @@ def wrong_type(name: str, wanted: str, value: object) -> TypeError:
 
 
 def file_name(name: str, value: object) -> bytes:
-    """As the core takes it."""
+    """As the core takes it, for which "-" is the standard input."""
     if not isinstance(value, (str, bytes, os.PathLike)):
         raise wrong_type(name, "the name of a file", value)
-    return os.fsencode(value)
+    file = os.fsencode(value)
+    return b"./-" if file == b"-" else file
 
 
 def check(function: Callable[..., object] | type, arguments: Mapping[str, object]) -> None:

@@ -27,7 +27,7 @@ class RegisteredMap(OneLine):
     signature_difference: float  #: mean difference of the signatures of corresponding points, from 0 to 1; about 0.03 between poses of one body
     trust: str  #: the verdict from margin, signature_difference and stretching: "sure", "unsure", "unlike" (shapes), or "unknown" without the spectrum
     rotation: Doubles  #: (3, 3), the rotation of the first map at the start
-    mismatch_before: float  #: root mean square difference of the features on the finest level, after the rotation
+    mismatch_before: float  #: root of the sum of the mean squared differences of the features on the finest level, each times its weight, after the rotation
     mismatch: float  #: the same at the end
     stretching: float  #: mean stretching of the surface onto the other one: 4 is an isometry; 0 if not deformed
     distortion: float  #: mean symmetric Dirichlet energy of the deformation of the sphere; 4 is none

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Doubles, OneLine, Sphere, check, doubles, index_triples, one_of, sphere_vectors, vectors
+from .arrays import Doubles, OneLine, Sphere, check, doubles, file_name, index_triples, one_of, sphere_vectors, vectors
 from .arrays import wrong_type
 
 
@@ -255,7 +255,7 @@ class Harmonics(OneLine):
         return result.reshape((*self.coefficients.shape[1:], *result.shape[1:]))
 
     def save(self, file: str | os.PathLike[str]) -> None:
-        """Writes the coefficients to a file: .csv, .json or, for three functions, .coef (SPHARM-PDM).
+        """Writes the coefficients to a file: .csv, .json or, for three functions, .coef (SPHARM-PDM), also with .gz behind.
 
         Parameters
         ----------
@@ -270,7 +270,7 @@ class Harmonics(OneLine):
         extension = _format_of(file)
         if extension == "coef" and self._table.shape[1] != 3:
             raise ValueError(f"a .coef file has the coefficients of three functions, not of {self._table.shape[1]}")
-        _core.write_text(os.fsencode(file), _core.harmonics_to_text(self._table, extension))
+        _core.write_text(file_name("file", file), _core.harmonics_to_text(self._table, extension))
 
 
 def _of(other: object) -> Harmonics:
@@ -280,7 +280,10 @@ def _of(other: object) -> Harmonics:
 
 
 def _format_of(file: str | os.PathLike[str]) -> str:
-    extension = Path(file).suffix[1:].lower()
+    path = Path(file)
+    if path.suffix.lower() in (".gz", ".xz", ".zst", ".bz2"):
+        path = path.with_suffix("")
+    extension = path.suffix[1:].lower()
     one_of("extension", extension, "csv", "json", "coef")
     return extension
 
@@ -291,7 +294,7 @@ def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
     Parameters
     ----------
     file : path
-        .csv, .json or .coef
+        .csv, .json or .coef, also compressed
 
     Returns
     -------
@@ -300,11 +303,16 @@ def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
 
     Raises
     ------
+    OSError
+        If the file cannot be read.
     ValueError
         If the file is not of this kind.
     """
+    extension = _format_of(file)
+    os.stat(file)  # FileNotFoundError
+    text = _core.read_text(file_name("file", file))
     try:
-        return Harmonics(_core.harmonics_of_text(Path(file).read_text(), _format_of(file)))
+        return Harmonics(_core.harmonics_of_text(text, extension))
     except RuntimeError as error:
         raise ValueError(f"{os.fspath(file)}: {error}") from None
 

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 import html
 import json
-import os
 from dataclasses import asdict, dataclass
 
 import numpy.typing as npt
 
 from . import _core
 from .analysis import distortion, face_distortion, segment
-from .arrays import OneLine, Sphere, check, index_triples, sphere_vectors, vectors
+from .arrays import OneLine, Sphere, check, file_name, index_triples, sphere_vectors, vectors
 from .errors import ErrorCode, MeshError
 from .files import Path
 from .maps import certify, map_to_go_on
@@ -27,7 +26,7 @@ class Page(OneLine):
 
     def save(self, path: Path) -> None:
         """Writes the page to a file, which is complete, or does not exist."""
-        _core.write_text(os.fsencode(path), self.html)
+        _core.write_text(file_name("path", path), self.html)
 
     def __repr__(self) -> str:
         return f"<Page: {len(self.html)} characters of HTML>"

@@ -6,6 +6,7 @@
 #include "arrays.h"
 
 #include "collections/results.h"
+#include "input/compression.h"
 #include "input/files.h"
 #include "input/mesh.h"
 #include "input/mesh_format.h"
@@ -122,11 +123,17 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
   });
 }
 
+std::string read_text(const std::string& file)
+{
+  const py::gil_scoped_release no_lock;
+  return tool::decompressed(file, tool::read_file(file));
+}
+
 void write_text(const std::string& file, const std::string& text)
 {
   const py::gil_scoped_release no_lock;
   tool::Atomic_files files;
-  files.open(file == tool::standard_stream ? "./" + file : file) << text; // which is a name here
+  files.open(file) << text;
   files.commit();
 }
 
@@ -170,6 +177,7 @@ void add_files(py::module_& module)
 {
   module.def("read_mesh", read_mesh);
   module.def("triangles_of", triangles_of);
+  module.def("read_text", read_text);
   module.def("write_text", write_text);
   module.def("write_mesh", write_mesh);
   module.def("read_data", read_data);

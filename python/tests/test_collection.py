@@ -103,6 +103,19 @@ def test_it_goes_on_where_it_was(files: list[str], tmp_path: Path) -> None:
         sp.collection.map(files, os.path.getsize, store=store)
 
 
+def test_what_memory_did_not_suffice_for_is_tried_again(tmp_path: Path) -> None:
+    def length(path: str) -> int:
+        if not os.path.exists(path + ".memory"):
+            raise MemoryError
+        return len(path)
+
+    file, store = tmp_path / "a.off", tmp_path / "a.sqlite"
+    sp.write_mesh(file, *bumpy(1))
+    assert sp.collection.map([file], length, store=store) == {"MemoryError": 1}
+    Path(f"{file}.memory").touch()
+    assert sp.collection.map([file], length, store=store) == {"OK": 1}
+
+
 def test_settings_are_part_of_the_name(files: list[str], tmp_path: Path) -> None:
     for _ in range(2):
         sp.collection.map(files[:1], functools.partial(sp.collection.map_file, method=sp.Isometric()), store=tmp_path / "a")

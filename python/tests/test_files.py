@@ -88,6 +88,14 @@ def test_content_decides_about_the_format(tmp_path: Path) -> None:
     assert np.array_equal(sp.read_mesh(tmp_path / "a.off")[0], points)
 
 
+def test_a_file_may_be_called_like_the_standard_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    points, triangles = bumpy(2)
+    sp.write_mesh("a.off", points, triangles)
+    os.rename("a.off", "-")
+    assert np.array_equal(sp.read_mesh("-")[0], points)
+
+
 def test_other_formats_by_meshio(tmp_path: Path) -> None:
     meshio = pytest.importorskip("meshio")
     points, triangles = bumpy(2)

@@ -6,6 +6,7 @@
 #include "collections/compute_in_parallel.h"
 #include "collections/results.h"
 #include "input/files.h"
+#include "input/mesh_format.h"
 #include "output/atomic_file.h"
 #include "system/interruption.h"
 #include "system/progress_bar.h"
@@ -66,7 +67,9 @@ fs::path common_folder(const fs::path& a, const fs::path& b)
 std::vector<Item> named(const std::vector<std::pair<std::string, fs::path>>& files, const fs::path& root)
 {
   std::unordered_map<std::string, int> count;
-  const auto name = [&root](fs::path place) { return place.replace_extension().lexically_relative(root).string(); };
+  const auto name = [&root](const fs::path& place) {
+    return without_extension(place.lexically_relative(root).string());
+  };
   for(const auto& [mesh, place] : files)
     ++count[name(place)];
   std::vector<Item> items;
@@ -125,24 +128,31 @@ int Collection_options::number_of_jobs() const
 
 std::vector<Item> items_of(const Collection_options& options, const std::vector<File_option>& other_folders)
 {
+  Places place;
   fs::path root;
   std::vector<fs::path> left_out;
+  std::unordered_set<std::string> named_files; // which are meant wherever they are
   for(const std::string& input : named_inputs(options.inputs, options.list)) {
     std::error_code none;
     const bool is_folder = fs::is_directory(input, none);
-    const fs::path place = place_of(is_folder ? fs::path(input) : fs::path(input).parent_path());
-    root = root.empty() ? place : common_folder(root, place);
+    if(!is_folder)
+      named_files.insert(place(input).string());
+    const fs::path base = place_of(is_folder ? fs::path(input) : fs::path(input).parent_path());
+    root = root.empty() ? base : common_folder(root, base);
     for(const auto& [option, folder] : other_folders)
-      if(const fs::path other = place_of(folder); is_folder && !folder.empty() && is_in(other, place)) {
-        require(other != place, option, "'" + folder + "' is the folder of the meshes; name another one, or one in it");
+      if(const fs::path other = place_of(folder); is_folder && !folder.empty() && is_in(other, base)) {
+        require(other != base, option, "'" + folder + "' is the folder of the meshes; name another one, or one in it");
         left_out.push_back(other);
       }
   }
-  Places place;
+  std::unordered_set<std::string> known;
   std::vector<std::pair<std::string, fs::path>> files;
   for(const std::string& mesh : options.meshes()) {
     const fs::path there = place(mesh);
-    if(std::none_of(left_out.begin(), left_out.end(), [&](const fs::path& folder) { return is_in(there, folder); }))
+    const auto is_around = [&](const fs::path& folder) { return is_in(there, folder); };
+    const bool is_output =
+      named_files.count(there.string()) == 0 && std::any_of(left_out.begin(), left_out.end(), is_around);
+    if(!is_output && known.insert(there.string()).second)
       files.emplace_back(mesh, there);
   }
   if(files.empty())

@@ -74,10 +74,52 @@ bool unfold_gzip(std::string_view bytes, const Take& take)
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
 namespace io = boost::iostreams;
 
-/// The same of the other kinds.
+/// Whether the frames of a zstd file (RFC 8878) are all there. Boost takes an end inside of one for the end.
+bool has_whole_frames(std::string_view bytes)
+{
+  constexpr unsigned magic = 0xfd2fb528, first_skippable = 0x184d2a50;
+  bool is_whole = true;
+  const auto skip = [&](std::size_t size) {
+    is_whole = is_whole && size <= bytes.size();
+    bytes.remove_prefix(is_whole ? size : bytes.size());
+  };
+  const auto number = [&](std::size_t size) { // of little-endian bytes
+    unsigned result = 0;
+    for(std::size_t k = 0; k < size && k < bytes.size(); ++k)
+      result |= static_cast<unsigned>(static_cast<unsigned char>(bytes[k])) << 8 * k;
+    skip(size);
+    return result;
+  };
+  while(is_whole && !bytes.empty()) {
+    const unsigned kind = number(4);
+    if((kind & ~0xfU) == first_skippable) {
+      skip(number(4));
+      continue;
+    }
+    if(kind != magic)
+      return false;
+    const unsigned descriptor = number(1);
+    const bool is_single = (descriptor & 0x20) != 0, has_checksum = (descriptor & 4) != 0;
+    constexpr std::size_t dictionary[] = {0, 1, 2, 4}, content[] = {0, 2, 4, 8};
+    const std::size_t size_of_content = descriptor >> 6 == 0 && is_single ? 1 : content[descriptor >> 6];
+    skip((is_single ? 0 : 1) + dictionary[descriptor & 3] + size_of_content);
+    for(bool is_last = false; is_whole && !is_last;) {
+      const unsigned block = number(3);
+      is_last = (block & 1) != 0;
+      const bool is_repeated_byte = (block >> 1 & 3) == 1;
+      skip(is_repeated_byte ? 1 : block >> 3);
+    }
+    skip(has_checksum ? 4 : 0);
+  }
+  return is_whole;
+}
+
+/// As `unfold_gzip()`, of the other kinds.
 template <class Take>
 bool unfold(const std::string&, std::string_view bytes, Compression compression, const Take& take)
 {
+  if(compression == Compression::ZSTD && !has_whole_frames(bytes))
+    return false;
   io::filtering_istreambuf source;
   switch(compression) {
   case Compression::XZ: source.push(io::lzma_decompressor()); break;

@@ -45,9 +45,10 @@ std::optional<Mesh_format> format_of_magic(std::string_view bytes)
   const std::string_view word = next_token(rest);
   if(word == "ply")
     return Mesh_format::PLY;
-  for(const std::string_view off : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"})
-    if(word == off)
-      return Mesh_format::OFF;
+  constexpr std::size_t longest_off = 7; // with columns of colours, normals and textures
+  if(word.size() <= longest_off && word.size() >= 3 && word.substr(word.size() - 3) == "OFF" &&
+     word.find_first_not_of("CNSTOF") == std::string_view::npos)
+    return Mesh_format::OFF;
   const std::string_view start = bytes.substr(0, 4096);
   if(begins_with(word, "<") && contains(start, "<GIFTI"))
     return Mesh_format::GIFTI;
@@ -151,6 +152,12 @@ std::optional<Mesh_format> format_of_content(std::string_view bytes, std::size_t
   if(is_binary_stl(bytes, size) || is_text_stl(bytes))
     return Mesh_format::STL;
   return is_obj(bytes) ? std::optional(Mesh_format::OBJ) : std::nullopt;
+}
+
+std::string without_extension(const std::string& file)
+{
+  const bool has_none = format_of_name(file) == Mesh_format::FREESURFER && without_compression(file) == file;
+  return has_none ? file : std::filesystem::path(file).replace_extension().string();
 }
 
 bool stores_floats(Mesh_format format)

@@ -30,6 +30,9 @@ std::vector<std::pair<std::string, Mesh_format>> output_formats();
 /// one of a compression; or FreeSurfer's, whose surfaces are called "lh.white", "rh.sphere", ...
 std::optional<Mesh_format> format_of_name(const std::string& file);
 
+/// The name of a mesh without the extension. Those of FreeSurfer have none: "lh.white" and "lh.pial" are two meshes.
+std::string without_extension(const std::string& file);
+
 /// The format that the content is in, whatever the file is called. Some formats begin with a word that says so; text
 /// without one is OBJ or STL if its first statement is one of theirs, and bytes are STL if their number is the one that
 /// its header announces. `bytes` may be the beginning of a file of `size` bytes.

@@ -232,8 +232,10 @@ private:
         refuse("has a label with the key " + in_quotes(text), "give every label an integer of its own");
       Label label = {static_cast<int>(*key), node.child_value()};
       const std::array<const char*, 4> channels = {"Red", "Green", "Blue", "Alpha"};
-      for(std::size_t k = 0; k < 4; ++k)
-        label.rgba[k] = std::fmin(1.F, std::fmax(0.F, node.attribute(channels[k]).as_float(label.rgba[k])));
+      for(std::size_t k = 0; k < 4; ++k) {
+        to_number(node.attribute(channels[k]).value(), label.rgba[k]); // whatever the decimal point of the host
+        label.rgba[k] = std::fmin(1.F, std::fmax(0.F, label.rgba[k]));
+      }
       table.push_back(std::move(label));
     }
     return table;

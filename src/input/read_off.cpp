@@ -131,7 +131,7 @@ private:
       lines_.refuse(no_off, remedy);
     std::string keyword(lines_.token());
     const std::size_t length = keyword.size();
-    for(const std::string prefix : {"ST", "C", "N"}) // textures, colours, normals: columns behind the coordinates
+    for(const std::string prefix : {"C", "N", "ST", "C", "N"}) // columns behind the coordinates; MeshLab has NCSTOFF
       if(keyword.rfind(prefix, 0) == 0)
         keyword.erase(0, prefix.size());
     const bool has_columns = keyword.size() < length;

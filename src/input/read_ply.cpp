@@ -62,7 +62,9 @@ public:
       if(!read_plain_vertices(element) && !read_plain_triangles(element))
         for(std::size_t row = 0; row < element.count; ++row)
           read_row(element, row);
-    if(is_text_ ? !next_token(rest_).empty() : rest_.size() >= smallest_size(elements_.back()))
+    constexpr std::size_t end_of_line = 2; // which some write behind the data
+    if(is_text_ ? !next_token(rest_).empty()
+                : rest_.size() >= std::max(end_of_line + 1, smallest_size(elements_.back())))
       refuse_file(file_, "has more data than the header announces",
                   "the counts in the header are wrong; export it again");
     if(soup_.triangles.empty()) // all triangles of strips have a corner twice

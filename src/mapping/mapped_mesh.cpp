@@ -136,11 +136,8 @@ void read_data(const Mapping_options& options, std::size_t number_of_vertices, V
   number_equal_names(data);
 }
 
-std::string preparation_text(const std::string& file, const Mapped_mesh& input)
+bool is_turned_inwards(const Mesh& mesh)
 {
-  if(input.prepared)
-    return preparation_text(file, input.prepared);
-  const Mesh& mesh = input.mesh();
   double volume = 0; // six times that of the pyramids over the faces, from the first vertex on
   const auto corner = [&mesh, &origin = mesh.points()[0]](int v) {
     const Point& p = mesh.points()[static_cast<std::size_t>(v)];
@@ -152,7 +149,21 @@ std::string preparation_text(const std::string& file, const Mapped_mesh& input)
     volume +=
       a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
-  return volume < 0 ? file + ": its faces are turned inwards; --prepare turns them\n" : "";
+  return volume < 0;
+}
+
+std::string preparation_text(const std::string& file, const Mapped_mesh& input)
+{
+  if(input.prepared)
+    return preparation_text(file, input.prepared);
+  return is_turned_inwards(input.mesh()) ? file + ": its faces are turned inwards; --prepare turns them\n" : "";
+}
+
+void check_orientation(const std::string& file, const Mapped_mesh& input)
+{
+  if(is_turned_inwards(input.mesh()))
+    throw Refusal(Error_code::INCONSISTENT_ORIENTATION, file, "its faces are turned inwards, so that left is right",
+                  "--prepare turns them");
 }
 
 void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality quality)

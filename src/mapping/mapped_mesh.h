@@ -61,6 +61,9 @@ void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mes
 /// where shapes are compared or cut.
 std::string preparation_text(const std::string& file, const Mapped_mesh& input);
 
+/// Throws a `Refusal` of a mesh that is turned inside out: compared with others it would be their mirror image.
+void check_orientation(const std::string& file, const Mapped_mesh& input);
+
 /// By vertex of the file: that of the mesh which is mapped, -1 if it was left out.
 std::vector<int> mapped_vertices(const Mapped_mesh& input);
 

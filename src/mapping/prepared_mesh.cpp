@@ -187,6 +187,21 @@ std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& 
   const Soup& soup = prepared.soup;
   const Glued_surface& surface = prepared.preparation.parts.front();
   const std::vector<int> nearest = nearest_faces(soup, surface);
+  std::vector<std::vector<std::size_t>> parts(soup.triangles.size()); // several where sides were split
+  for(std::size_t g = 0; g < surface.faces.size(); ++g)
+    if(const int f = surface.old_face[g]; f != Glued_surface::none)
+      parts[place(f)].push_back(g);
+
+  const auto at = [&](std::size_t g, std::size_t corner) { // the halfedge that ends there
+    return coordinates[3 * g + (corner + 2) % 3];
+  };
+  const auto turns = [&](std::size_t g, std::size_t part) { // by which part is beside g, where the chart goes round
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        if(surface.faces[g][i] == surface.faces[part][j])
+          return std::round(at(g, i).first - at(part, j).first);
+    return 0.;
+  };
   std::vector<std::pair<double, double>> result(3 * soup.triangles.size());
   for(std::size_t f = 0; f < soup.triangles.size(); ++f) {
     const std::size_t g = place(nearest[f]);
@@ -195,11 +210,18 @@ std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& 
       const Vector& p = soup.points[place(soup.triangles[f][k])];
       const std::array<double, 3> weights =
         is_finite(p) ? weights_of_nearest(corners, p) : std::array<double, 3>{1. / 3, 1. / 3, 1. / 3};
-      auto& uv = result[3 * f + (k + 2) % 3]; // the halfedge that ends at corner k
+      auto& uv = result[3 * f + (k + 2) % 3];
       for(std::size_t i = 0; i < 3; ++i) {
-        uv.first += weights[i] * coordinates[3 * g + (i + 2) % 3].first;
-        uv.second += weights[i] * coordinates[3 * g + (i + 2) % 3].second;
+        uv.first += weights[i] * at(g, i).first;
+        uv.second += weights[i] * at(g, i).second;
       }
+      const int owner = surface.old_face[g]; // f, or of a face that was removed the one beside it
+      if(owner == Glued_surface::none || std::find(corners.begin(), corners.end(), p) != corners.end())
+        continue;
+      for(const std::size_t part : parts[place(owner)])
+        for(std::size_t i = 0; i < 3; ++i)
+          if(surface.point(surface.faces[part][i]) == p)
+            uv = {at(part, i).first + turns(g, part), at(part, i).second};
     }
   }
   return result;

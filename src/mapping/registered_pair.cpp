@@ -146,21 +146,23 @@ std::vector<SP::Registration_feature> read_features(const Registration_options& 
 }
 
 /// What people see of changes of lengths.
-const char* verdict(const SP::Length_changes& changes)
+std::string verdict(const SP::Length_changes& changes, bool has_landmarks)
 {
   return changes.share_of_large < 0.02 ? "no part of A is lost"
          : changes.share_of_large < 0.1
            ? "small parts of A are squeezed or stretched on B, as if B had no such part"
-           : "large parts of A are squeezed or stretched on B; --landmarks can say which points correspond";
+           : std::string("large parts of A are squeezed or stretched on B; ") + (has_landmarks ? "more " : "") +
+               "--landmarks can say which points correspond";
 }
 
 /// How far to trust the correspondence; empty if nothing is known.
-const char* trust_text(const SP::Registration_result& result)
+std::string trust_text(const SP::Registration_result& result, bool has_landmarks)
 {
   switch(result.trust()) {
   case SP::Registration_result::Trust::SURE: return "\ncorrespondence: sure";
   case SP::Registration_result::Trust::UNSURE:
-    return "\ncorrespondence: not sure, other candidates are nearly as good; check it, or give --landmarks";
+    return std::string("\ncorrespondence: not sure, other candidates are nearly as good; check it, or give ") +
+           (has_landmarks ? "more " : "") + "--landmarks";
   case SP::Registration_result::Trust::UNLIKE: return "\ncorrespondence: the shapes are unlike; check it";
   case SP::Registration_result::Trust::UNKNOWN: break;
   }
@@ -214,7 +216,8 @@ void add_registration_options(Options& all, Registration_options& options)
   add_weight("--isometry-weight", registration.isometry_weight, "the stretching of the surface of A onto that of B");
   add_weight("--position-weight", registration.position_weight,
              "the positions in space, for shapes in the same position and pose");
-  add_weight("--landmark-weight", registration.landmark_weight, "the landmarks at the beginning");
+  add_weight("--landmark-weight", registration.landmark_weight,
+             "the landmarks at the beginning, where they cannot all be put in place at once");
   add_weight("--landmark-stiffness", registration.landmark_weight, "").group.clear(); // its name before
 }
 
@@ -320,9 +323,11 @@ std::string registration_text(const Registration_options& options, const Registe
     text << ", then deformed: mismatch of features from " << r.mismatch_before << " to " << r.mismatch
          << ", mean distortion " << r.distortion << " (4: none)";
   const SP::Length_changes& changes = pair.changes;
+  const bool has_landmarks = !options.landmarks.empty();
   text << "\nlengths of A change " << changes.factor.median << " times (median), and more than " << changes.large
-       << " times on " << 100 * changes.share_of_large << " % of it: " << verdict(changes) << trust_text(r);
-  if(!options.landmarks.empty())
+       << " times on " << 100 * changes.share_of_large << " % of it: " << verdict(changes, has_landmarks)
+       << trust_text(r, has_landmarks);
+  if(has_landmarks)
     text << "\nlandmarks: at most " << r.largest_landmark_distance << " radians apart";
   return text.str();
 }

@@ -8,7 +8,9 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
+#include <fstream>
 #include <sstream>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <variant>
@@ -98,6 +100,10 @@ Json settings_of(Mapping_options options, const SP::Result& result)
 
 std::size_t peak_memory_bytes()
 {
+  std::ifstream status("/proc/self/status"); // of Linux, where rusage has that of the caller, if it was larger
+  for(std::string word; status >> word;)
+    if(std::size_t kilobytes = 0; word == "VmHWM:" && status >> kilobytes)
+      return 1024 * kilobytes;
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
 #ifdef __APPLE__

@@ -83,7 +83,9 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
     return "a command is required: " + join(command_names(app), ", ");
   if(parsed.empty() && extras.front()[0] != '-')
     return "unknown command '" + extras.front() + "'" + suggestion(extras.front(), command_names(app));
-  for(const std::string& word : extras)
+  for(const std::string& word : extras) {
+    if(word == "--") // behind it there are no options
+      return error.what();
     if(word.size() > 1 && word[0] == '-') {
       const std::string option = word.substr(0, word.find('='));
       std::vector<std::string> names = option_names(command);
@@ -91,6 +93,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error)
         names.push_back(name);
       return "unknown option '" + option + "'" + suggestion(option, names);
     }
+  }
   if(!extras.empty())
     return "unexpected arguments: " + join(extras, " ");
   return error.what();
@@ -103,6 +106,7 @@ void add_options(CLI::App& command, const Options& options)
       command
         .add_flag_function(
           option.names, [&option](std::int64_t) { option.set({}); }, option.description)
+        ->disable_flag_override() // --flag=false would be true
         ->group(option.group);
       continue;
     }

@@ -72,7 +72,8 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
     .in("[2,1000)")
     .only_with("--method", {"balanced", "automatic"});
   all("--area-exponent", o.area_exponent,
-      "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas [1; with --density 10]")
+      "Isometric, automatic: 0 preserves angles, 1 lengths, 30 or more areas " +
+        std::string(are_for_one ? "[1; with --density 10]" : "[1]"))
     .in("[0,1000)")
     .only_with("--method", {"isometric", "automatic"});
   all("--largest-shrinkage", o.largest_shrinkage,
@@ -102,11 +103,11 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
         "there")
       .in("(0,inf)")
       .only_with("--method", {"isometric"});
+    all("--density", o.density,
+        "Isometric, automatic: text file with a positive number for every vertex or every face; areas on the sphere "
+        "are to be proportional to these numbers times the areas of IN")
+      .only_with("--method", {"isometric", "automatic"});
   }
-  all("--density", o.density,
-      "Isometric, automatic: text file with a positive number for every vertex or every face; areas on the sphere are "
-      "to be proportional to these numbers times the areas of IN")
-    .only_with("--method", {"isometric", "automatic"});
 
   all.begin_group("Where to run");
   all("--policy", o.policy,

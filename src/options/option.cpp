@@ -86,6 +86,8 @@ std::string Option::default_text() const
 
 void Option::set(const std::vector<std::string>& typed) const
 {
+  for(const std::string& word : typed)
+    require(!word.empty(), name(), "is empty");
   const auto number = [this](const std::string& word, bool is_whole) {
     char* end = nullptr;
     const double x = std::strtod(word.c_str(), &end);

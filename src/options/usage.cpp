@@ -109,8 +109,8 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
     }
     std::error_code none;
     const fs::file_type type = fs::status(file, none).type();
-    require(type == fs::file_type::not_found || type == fs::file_type::regular, option,
-            "'" + file + "' exists and is not a regular file");
+    require(type == fs::file_type::not_found || type == fs::file_type::regular || type == fs::file_type::none, option,
+            "'" + file + "' exists and is not a regular file"); // none: not to be known, as where access is forbidden
     const std::string other = files.add({option, file});
     require(other.empty(), option, "is the same file as " + other);
   }

@@ -40,6 +40,10 @@ std::string temporary_without_number(const std::string& file)
 
 Atomic_file::Atomic_file(const std::string& file) : file_(file)
 {
+  std::error_code none;
+  if(std::filesystem::is_symlink(file, none)) // the file that it leads to is replaced, and the link stays
+    if(const auto target = std::filesystem::weakly_canonical(file, none); !none)
+      file_ = target.string();
   if(file == standard_stream)
     keep_standard_output_for_data();
   open();
@@ -153,6 +157,8 @@ void Atomic_file::rename()
       refuse("could not be written completely");
     return;
   }
+  if(std::filesystem::is_regular_file(status))
+    std::filesystem::permissions(temporary_, status.permissions(), error); // stay as they were
   std::filesystem::rename(temporary_, file_, error);
   if(error)
     refuse("cannot be written (" + error.message() + ")");

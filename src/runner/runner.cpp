@@ -277,7 +277,7 @@ private:
               "is a folder for several meshes; for one mesh, end its name with a slash");
       if(output.empty() && first.when == Output::ALWAYS) {
         require(request_.options.input != standard_stream, "--output", "is required: the standard input has no name");
-        output = fs::path(request_.options.input).filename().replace_extension(first.extensions.front()).string();
+        output = without_extension(fs::path(request_.options.input).filename().string()) + first.extensions.front();
       }
     } else if(!step_.gives.empty() && step_.gives.front().kind == Output::FOLDER)
       check_folder();
@@ -286,8 +286,11 @@ private:
     if(step_.takes.meshes == Takes::TOGETHER) {
       read.emplace_back("--list", request_.meshes.list);
       const bool has_folder = step_.gives.front().kind == Output::FOLDER; // whose meshes are outputs
-      for(const Item& item : items_of(request_.meshes, {{"--output", has_folder ? request_.file() : ""}}))
+      for(const Item& item : items_of(request_.meshes, {{"--output", has_folder ? request_.file() : ""}})) {
+        require(item.mesh != standard_stream || !has_folder, "IN",
+                "is read more than once, as the standard input cannot be; name files");
         read.emplace_back("the mesh " + item.mesh, item.mesh);
+      }
     }
     check_files(read, outputs(request_));
     Run run(request_);
@@ -413,8 +416,13 @@ int run(int argc, char** argv, const std::vector<Step>& all)
     flush_standard_output();
     return 0;
   }
+  std::vector<std::string> words(argv + 1, argv + argc);
+  for(std::string& word : words)
+    if(word.size() > 1 && word.front() == '[' && word.back() == ']') // CLI11 takes it for a list
+      word.insert(0, "./");
+  std::reverse(words.begin(), words.end());
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(words));         // the last one first
   } catch(const CLI::ParseError& stop) { // also what --help and --version throw
     if(stop.get_exit_code() != 0) {
       std::cerr << "spherical-parameterization: " << usage_error(app, stop)

@@ -209,6 +209,7 @@ private:
         one.input = item.mesh;
         Mapped_mesh input;
         read_input(one, input);
+        check_orientation(item.mesh, input);
         Atomic_files files;
         std::ostream& file = files.open(sphere_of(item));
         map_input(one, input);

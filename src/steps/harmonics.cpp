@@ -67,6 +67,18 @@ std::vector<Point> reconstructed(const Mapped_mesh& input, const SP::Harmonic_co
   return points;
 }
 
+/// Moves points as `aligned_to_ellipsoid()` moves the shape of its coefficients.
+void move_to_ellipsoid(const SP::First_order_ellipsoid& ellipsoid, std::vector<Point>& points)
+{
+  for(Point& p : points) {
+    const Point from_centre = {p[0] - ellipsoid.centre[0], p[1] - ellipsoid.centre[1], p[2] - ellipsoid.centre[2]};
+    for(std::size_t k = 0; k < 3; ++k) {
+      const auto& axis = ellipsoid.axes[k];
+      p[k] = axis[0] * from_centre[0] + axis[1] * from_centre[1] + axis[2] * from_centre[2];
+    }
+  }
+}
+
 /// How the error falls with the degree: of the first degrees of the coefficients.
 Json errors_by_degree(const Harmonics_options& options, const std::string& file, const Mapped_mesh& input,
                       const SP::Harmonic_coefficients& coefficients)
@@ -88,15 +100,16 @@ Json errors_by_degree(const Harmonics_options& options, const std::string& file,
   }
 }
 
+/// \param written  the coefficients, moved if that is asked for
 Json harmonics_json(const Harmonics_options& options, const std::string& file, const Mapped_mesh& input,
-                    const SP::Harmonic_analysis& analysis)
+                    const SP::Harmonic_analysis& analysis, const SP::Harmonic_coefficients& written)
 {
   Json harmonics = {{"degree", options.degree},
                     {"fit", options.fit},
                     {"iterations", analysis.iterations},
                     {"converged", analysis.has_converged},
                     {"errors", errors_by_degree(options, file, input, analysis.coefficients)},
-                    {"power_spectrum", SP::power_spectrum(analysis.coefficients)}};
+                    {"power_spectrum", SP::power_spectrum(written)}};
   if(options.degree > 0) {
     const SP::First_order_ellipsoid ellipsoid = SP::first_order_ellipsoid(analysis.coefficients);
     harmonics["ellipsoid"] = {{"centre", ellipsoid.centre},
@@ -121,17 +134,17 @@ void harmonics(const Harmonics_options& options, Run& run)
   std::vector<Point> points = reconstructed(input, analysis.coefficients);
   const SP::Reconstruction_error error =
     SP::reconstruction_error(input.mesh(), as_map(input.mesh().points()), as_map(points));
-  Json json = run.has("--report") ? harmonics_json(options, file, input, analysis) : Json();
+  const SP::Harmonic_coefficients written =
+    options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients;
+  Json json = run.has("--report") ? harmonics_json(options, file, input, analysis, written) : Json();
   run.figures.seconds_measure = analyzing.seconds();
   const double seconds_errors = run.figures.seconds_measure - seconds_analysis;
   json["seconds"] = {{"analysis", seconds_analysis}, {"errors", seconds_errors}};
   run.details["harmonics"] = std::move(json);
   stop_if_interrupted(file);
-  const SP::Harmonic_coefficients written =
-    options.align ? SP::aligned_to_ellipsoid(analysis.coefficients) : analysis.coefficients;
   SP::write_coefficients(*run.out(), written, format_of(run.file()));
-  if(options.align && run.has("--reconstruct"))
-    points = reconstructed(input, written);
+  if(options.align)
+    move_to_ellipsoid(SP::first_order_ellipsoid(analysis.coefficients), points);
   run.write("--reconstruct", input.mesh(), points, Surface::SHAPE);
   run.commit();
 
@@ -189,7 +202,9 @@ Step harmonics_step()
      {"--reconstruct", "Write the shape of the coefficients, with the vertices and faces of IN", {}, Output::MESH}},
     harmonics_work,
     "harmonics bunny.ply -o bunny.csv --degree 32",
-    "The report has the errors by degree, with Hausdorff distances, the power spectrum and the ellipsoid."};
+    "The report has the errors by degree, with Hausdorff distances, the power spectrum and, of the shape where IN is, "
+    "the "
+    "ellipsoid."};
 }
 
 } // namespace tool

@@ -58,9 +58,7 @@ bool is_split(const Prepare_options& options) { return steps_of(options).count("
 std::pair<std::string, std::string> around_number(const std::string& file)
 {
   const std::string plain = without_compression(file);
-  const std::string extension =
-    format_of_name(plain) == Mesh_format::FREESURFER ? "" : fs::path(plain).extension().string();
-  const std::size_t end = plain.size() - extension.size();
+  const std::size_t end = without_extension(plain).size();
   return {file.substr(0, end) + '_', file.substr(end)};
 }
 

@@ -154,6 +154,8 @@ Work resample_work()
     .of({"majority", "nearest"});
   work.check = [own](const Request& request) {
     require(own->sphere.empty() || !request.has("--level"), "--to-sphere", "excludes --level");
+    require(own->sphere != standard_stream, "--to-sphere",
+            "is read twice, as the standard input cannot be; name a file");
   };
   work.reads = [own](const Request&) {
     Work::Files files = {{"--to-sphere", own->sphere}};

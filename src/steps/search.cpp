@@ -78,6 +78,7 @@ void rerank(std::vector<Hit>& hits, int number, Run& run)
   Registration_options options = to_register(run.options, "");
   Registered_pair pair;
   read_input(options, pair.a);
+  check_orientation(options.input, pair.a);
   map_input(options, pair.a);
   const auto end = hits.begin() + std::min<std::ptrdiff_t>(number, hits.end() - hits.begin());
   std::for_each(hits.begin(), end, [&](Hit& hit) {
@@ -85,6 +86,7 @@ void rerank(std::vector<Hit>& hits, int number, Run& run)
       options.other = hit.name;
       pair.b = Mapped_mesh();
       read_pair(options, pair);
+      check_orientation(hit.name, pair.b);
       register_pair(options, pair);
       hit.comparison = {pair.result, pair.changes, pair.changes_of_faces};
     });
@@ -269,7 +271,9 @@ Work search_work()
   options("--picture", own->picture,
           "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property "
           "'place' of the faces: 0 for QUERY, 1 for the first line, ... (.ply)");
-  work.check = [own](const Request&) {
+  work.check = [own](const Request& request) {
+    require(request.options.input != standard_stream || (own->rerank == 0 && own->picture.empty()), "QUERY",
+            "is read once more for --rerank and --picture, as the standard input cannot be; name a file");
     require(own->changes.empty() || own->rerank > 0, "--changes", "requires --rerank");
     for(const auto& [option, file] : {std::pair("--changes", own->changes), std::pair("--picture", own->picture)})
       if(!file.empty())

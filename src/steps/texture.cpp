@@ -114,12 +114,13 @@ void texture(const Own_options& options, Run& run)
   if(input.prepared)
     uv = coordinates_of_file(*input.prepared, uv);
   if(has_files_beside) {
-    const fs::path folder = fs::absolute(run.file()).parent_path();
-    const std::string image = options.image.empty() ? beside(run.file(), ".png") : options.image;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(run.file()).parent_path());
+    const fs::path image = fs::absolute(options.image.empty() ? beside(run.file(), ".png") : options.image);
     on_mesh_of_file(input, [&](const Mesh& mesh) {
       write_textured_obj(*run.out(), mesh, uv, fs::path(beside(run.file(), ".mtl")).filename().string());
     });
-    write_material(*material, fs::absolute(image).lexically_relative(folder).string());
+    const fs::path place = fs::weakly_canonical(image.parent_path()) / image.filename();
+    write_material(*material, place.lexically_relative(folder).string());
     if(checker)
       write_checker(*checker, 32, checker_rows(options));
   } else
@@ -147,6 +148,7 @@ Work texture_work()
     require(!own->north || *own->north != std::array<double, 3>{0, 0, 0}, "--north", "must not be the zero vector");
     require(request.file() != standard_stream || !is_obj(request), "--output",
             "is the standard output, but obj has two more files beside it");
+    require(own->image != standard_stream || !is_obj(request), "--image", "is named in the material; name a file");
   };
   work.reads = [own](const Request&) { return Work::Files{{"--image", own->image}}; };
   work.writes = [own](const Request& request) {

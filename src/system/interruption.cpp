@@ -24,7 +24,7 @@ namespace tool {
 void watch_for_interruption()
 {
   if(!was_interrupted())
-    for(const int signal : {SIGINT, SIGTERM})
+    for(const int signal : {SIGINT, SIGTERM, SIGHUP})
       if(std::signal(signal, note_interruption) == SIG_IGN) // by a shell, of what runs in the background
         std::signal(signal, SIG_IGN);
 }

@@ -452,6 +452,36 @@ TEST_CASE("map: outputs that cannot be written are reported", "[tool]")
   CHECK(scratch.number_of_files() == 1);
 }
 
+TEST_CASE("map: a link stays and the file that it leads to is replaced, with its permissions", "[tool]")
+{
+  Scratch scratch;
+  const std::string input = write_off(scratch / "in.off", icosphere(1)), link = scratch / "link.off";
+  fs::create_directory(scratch / "folder");
+  write_text(scratch / "folder/out.off", "old");
+  fs::permissions(scratch / "folder/out.off", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("folder/out.off", link);
+  REQUIRE(run_tool({"map", input, "-o", link}).exit_code == 0);
+  CHECK(fs::read_symlink(link) == "folder/out.off");
+  CHECK(read(scratch / "folder/out.off").faces.size() == icosphere(1).faces.size());
+  CHECK(fs::status(link).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  CHECK(scratch.number_of_files() == 3);
+}
+
+TEST_CASE("map: a name in brackets is a name", "[tool]")
+{
+  Scratch scratch;
+  Process_options options;
+  options.directory = scratch.folder();
+  write_off(scratch / "[in.off]", icosphere(1));
+  write_off(scratch / "in.off", icosphere(2));
+  fs::create_directory(scratch / "[in]");
+  write_off(scratch / "[in]/a.off", icosphere(1));
+  REQUIRE(run_tool({"map", "[in.off]", "-o", "out.off"}, options).exit_code == 0);
+  CHECK(read(scratch / "out.off").faces.size() == icosphere(1).faces.size());
+  REQUIRE(run_tool({"map", "[in]", "-o", "out"}, options).exit_code == 0);
+  CHECK(fs::exists(scratch / "out/a.ply"));
+}
+
 TEST_CASE("map: names may be as long as the file system has them", "[tool]")
 {
   Scratch scratch;
@@ -612,6 +642,9 @@ TEST_CASE("wrong usage exits with 2", "[tool]")
        {"map", input, "-o", output, "--precision", "single"},
        {"map", input, "-o", output, "--max-time", "0"},
        {"map", input, "-o", scratch / "out.xyz"},
+       {"map", input, "-o", ""},
+       {"map", input, "-o", output, "--report", ""},
+       {"map", input, "-o", output, "--triangulate=false"},
        {"map", input, "-o", input},
        {"map", input, "-o", scratch / "folder.off"}}) {
     const Process_result run = run_tool(arguments);

@@ -150,6 +150,19 @@ TEST_CASE("texture: another image, and a pole where the user wants it", "[tool]"
   CHECK(text_of(scratch / "out.mtl").find("map_Kd earth.png\n") != std::string::npos);
   CHECK_FALSE(fs::exists(scratch / "out.png"));
   CHECK(run.out.find("north pole at 0 0 2") != std::string::npos);
+
+  // the name of the image leads from the material to it, whatever the way to the output
+  fs::create_directories(scratch / "a/b");
+  fs::create_directory_symlink("a/b", scratch / "link");
+  write_text(scratch / "a/pic.png", "not looked at");
+  Process_options from_a;
+  from_a.directory = scratch / "a";
+  for(const auto& [folder, place] : {std::pair("..", "a/pic.png"), {"../link", "../pic.png"}, {".", "pic.png"}}) {
+    REQUIRE(run_tool({"texture", "../in.off", "-o", std::string(folder) + "/x.obj", "--image", "pic.png"}, from_a)
+              .exit_code == 0);
+    CHECK(text_of(scratch / ("a/" + std::string(folder) + "/x.mtl")).find("map_Kd " + std::string(place) + '\n') !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("texture: an image that cannot be read is refused before the work", "[tool]")
@@ -743,6 +756,10 @@ TEST_CASE("commands that use a map: wrong usage", "[tool]")
        {"texture", input, "-o", scratch / "out.obj", "--chart", "mercator"},
        {"texture", input, "-o", scratch / "out.obj", "--north", "0", "0", "0"},
        {"texture", input, "-o", scratch / "out.obj", "--north", "0", "1"},
+       {"texture", input, "-o", scratch / "out.obj", "--image", "-"},
+       {"resample", input, "-o", scratch / "out.off", "--to-sphere", "-"},
+       {"search", "-", "--index", input, "--rerank", "1"},
+       {"atlas", input, "-", "-o", scratch / "out"},
        {"texture", input, "-o", scratch / "mesh.obj", "--sphere", mesh}, // the material would overwrite the sphere
        {"resample", input, "-o", scratch / "out.off", "--level", "-1"},
        {"resample", input, "-o", scratch / "out.off", "--level", "13"},

@@ -605,6 +605,11 @@ TEST_CASE("formats: dialects of other programs", "[tool][formats]")
   };
   const tool::Input_mesh mesh = input_of(bumpy_sphere(1));
 
+  SECTION("columns of OFF in the order of MeshLab, or in another one")
+  {
+    for(const std::string columns : {"NCST", "CST", "NC", "CN", "STCN"})
+      CHECK(triangles_of("in", columns + "OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n").size() == 1);
+  }
   SECTION("pixels of VTK are listed row by row")
   {
     const auto pixel =
@@ -895,8 +900,8 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
     CHECK(run_tool({"map", scratch / name, "-o", scratch / "out.off"}).peak_memory < 300 * 1000 * 1000);
     fs::remove(scratch / name);
   };
-  const auto content = [&](const std::string& name, tool::Mesh_format format) {
-    write(scratch / name, {format}, mesh);
+  const auto content = [&](const std::string& name, tool::Mesh_format format, const tool::Input_mesh& input) {
+    write(scratch / name, {format}, input);
     std::string bytes = text_of(scratch / name);
     fs::remove(scratch / name);
     return bytes;
@@ -910,8 +915,12 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
   SECTION("compressed files")
   {
     for(const std::string extension : {".gz", ".xz", ".zst", ".bz2"}) {
-      const std::string bytes = content("in.off" + extension, tool::Mesh_format::OFF);
+      const std::string bytes = content("in.off" + extension, tool::Mesh_format::OFF, mesh);
       check("in.off" + extension, bytes.substr(0, bytes.size() / 2), "cut short");
+      // blocks of zstd: what was unfolded before the end could be taken for all, as .obj announces nothing
+      const std::string large = content("in.obj" + extension, tool::Mesh_format::OBJ, input_of(icosphere(6)));
+      for(int k = 1; k < 8; ++k)
+        check("in.obj" + extension, large.substr(0, large.size() * k / 8), "cut short");
       check("noise" + extension, bytes.substr(0, 6) + std::string(300, 'x'), "");
       // 200 million zeros: gzip folds them to their thousandth part, and the others to less
       const std::string bomb = scratch / ("bomb.ply" + extension);
@@ -929,7 +938,7 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
   }
   SECTION("FreeSurfer")
   {
-    const std::string good = content("lh.white", tool::Mesh_format::FREESURFER);
+    const std::string good = content("lh.white", tool::Mesh_format::FREESURFER, mesh);
     const std::size_t counts = good.find("\n\n") + 2;
     const auto with_number = [&](std::size_t at, auto number) {
       std::string bytes;
@@ -947,7 +956,7 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
   }
   SECTION("GIFTI")
   {
-    const std::string good = content("in.gii", tool::Mesh_format::GIFTI);
+    const std::string good = content("in.gii", tool::Mesh_format::GIFTI, mesh);
     check("in.gii", good.substr(0, good.size() - 30), "line ");
     check("in.gii", changed(good, "Dim0=\"", "Dim0=\"9999"), "cut short");
     check("in.gii", changed(good, "Dim0=\"", "Dim0=\"-"), "Dim0");
@@ -977,7 +986,7 @@ TEST_CASE("formats: broken files are refused before they cost memory", "[tool][f
   }
   SECTION("GLB")
   {
-    const std::string good = content("in.glb", tool::Mesh_format::GLB);
+    const std::string good = content("in.glb", tool::Mesh_format::GLB, mesh);
     check("in.glb", good.substr(0, good.size() - 10), "cut short");
     check("in.glb", good.substr(0, 15), "cut short");
     check("in.glb", changed(good, std::string("\2\0\0\0", 4), std::string("\1\0\0\0", 4)), "version");

@@ -503,6 +503,11 @@ TEST_CASE("many: names of outputs", "[tool][many]")
     REQUIRE(run_tool({"map", a, "-o", scratch / "in/a/x.obj"}).exit_code == 0);
     CHECK(written({scratch / "in/a"}) == Names{"w.ply", "x.obj.ply", "x.off.ply"});
   }
+  SECTION("surfaces of FreeSurfer have no extension")
+  {
+    REQUIRE(run_tool({"map", a, "-o", scratch / "lh.pial"}).exit_code == 0);
+    CHECK(written({scratch / "lh.pial", a}) == Names{"in/a/x.ply", "lh.pial.ply"});
+  }
   SECTION("an output folder in the folder of the meshes is not looked into")
   {
     CHECK(run_tool({"map", scratch / "in", "-o", scratch / "in/out"}).exit_code == 0);

@@ -945,6 +945,38 @@ TEST_CASE("texture --prepare: coordinates for every face of the file", "[tool]")
   CHECK(faces == soup.faces.size());
 }
 
+TEST_CASE("texture --prepare: a face whose sides were split has the coordinates of its corners", "[tool]")
+{
+  Scratch scratch;
+  const std::string in = scratch / "in.off", repaired = scratch / "repaired.off";
+  write_text(in, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n");
+  const Process_result preparing = run_tool({"prepare", in, "-o", repaired});
+  REQUIRE(preparing.exit_code == 0);
+  REQUIRE(preparing.out.find("split") != std::string::npos);
+  const auto coordinates = [](const std::string& file) { // of every vertex, but for turns round the axis
+    std::vector<Vector> uv;
+    std::map<std::size_t, std::set<std::pair<double, double>>> result;
+    for(const std::string& line : lines_of(text_of(file))) {
+      std::istringstream words(line);
+      std::string word;
+      words >> word;
+      double u = 0, v = 0;
+      std::size_t i = 0, j = 0;
+      char slash = 0;
+      if(word == "vt" && words >> u >> v)
+        uv.emplace_back(u - std::floor(u), v, 0);
+      while(word == "f" && words >> i >> slash >> j)
+        result[i].emplace(std::round(1e6 * uv[j - 1].x()), std::round(1e6 * uv[j - 1].y()));
+    }
+    return result;
+  };
+  REQUIRE(run_tool({"texture", in, "-o", scratch / "in.obj", "--prepare"}).exit_code == 0);
+  REQUIRE(run_tool({"texture", repaired, "-o", scratch / "repaired.obj"}).exit_code == 0);
+  auto expected = coordinates(scratch / "repaired.obj");
+  for(const auto& [vertex, of_file] : coordinates(scratch / "in.obj"))
+    CHECK(of_file == expected[vertex]);
+}
+
 TEST_CASE("prepare: what has no surface is refused", "[tool]")
 {
   Scratch scratch;

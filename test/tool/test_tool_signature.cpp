@@ -122,6 +122,20 @@ TEST_CASE("signature: a row for every mesh, in the order of the names", "[tool][
   }
 }
 
+TEST_CASE("signature: the standard input is another mesh every time", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string index = scratch / "out.db";
+  for(const Soup& soup : {bumpy_sphere(2), icosphere(2)}) {
+    const std::string in = write_off(scratch / "in.off", soup);
+    const std::string command = "'" + std::string(TOOL) + "' signature - -o '" + index + "' < '" + in + "'";
+    REQUIRE(run_process({"sh", "-c", command}).exit_code == 0);
+    const Process_result run = run_tool({"search", in, "--index", index});
+    CAPTURE(run.out);
+    CHECK(run.out.rfind("0.0000", 0) == 0);
+  }
+}
+
 TEST_CASE("signature: neither threads nor runs make a difference", "[tool][signature]")
 {
   Scratch scratch;

@@ -5,6 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_FILES_H
 
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
+#include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/coefficient_files.h>
 
 #include <istream>
@@ -26,12 +27,15 @@ enum class Coefficient_format {
 
 /// Writes coefficients with all their digits.
 /// \param out           where
-/// \param coefficients  of any number of functions; of three for `SPHARM_PDM`
+/// \param coefficients  of one function or more; of three for `SPHARM_PDM`
 /// \param format        of the text
+/// \throws Error  `NON_FINITE_COORDINATE`
 /// \throws std::runtime_error  if the format is for three functions, and the number is not three
 CGAL_SP_INLINE void write_coefficients(std::ostream& out, const Harmonic_coefficients& coefficients,
                                        Coefficient_format format)
 {
+  CGAL_SP_PRECONDITION(coefficients.number_of_fields() > 0, "there are coefficients of a function");
+  internal::check_finite(coefficients);
   out << (format == Coefficient_format::CSV    ? internal::csv_of(coefficients)
           : format == Coefficient_format::JSON ? internal::json_of(coefficients)
                                                : internal::spharm_pdm_of(coefficients));

@@ -178,7 +178,8 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 /// \throws std::bad_alloc  if there is not enough memory
 /// \throws OpenCL_error    if the device of an `OpenCL_device` fails
 ///
-/// Exceptions of the property maps and the callback are passed on.
+/// Exceptions of the property maps and the callback are passed on; an `Error` of this package that a property map
+/// throws becomes that of the result.
 ///
 /// Complexity: linear in memory, about 400 bytes per vertex, `Isometric` 1,000 to 1,500; `Balanced` takes as long as a
 /// few hundred applications of the Laplacian for any number of vertices.
@@ -271,6 +272,8 @@ Result parameterize_triangle_soup(const ExecutionPolicy& policy, const PointRang
   static_assert(internal::Is_method<Method>::value,
                 "parameterize_triangle_soup() takes (policy, points, triangles, method, sphere points [, named "
                 "parameters]): the method is Balanced, Isometric, Automatic or Saddle_point");
+  static_assert(parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_point_t>::value,
+                "parameterize_triangle_soup() takes its points as an argument: leave out vertex_point_map");
   if constexpr(internal::Is_method<Method>::value &&
                internal::check_named_parameters<Edge, std::size_t, std::size_t, CGAL_NP_CLASS>())
     return internal::run(policy, method, np, internal::Range_map<SpherePoints>{&sphere_points}, [&](const auto& read) {

@@ -18,6 +18,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -83,7 +84,8 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 /// \return the certificate, and what was reached; `NOT_BIJECTIVE` and the like for maps and meshes that cannot be
 ///         registered, also where a map has faces so small that it cannot be turned without losing them to rounding;
 ///         `INTERRUPTED` if callback or time limit ended it: what is stored then is a certified map, too
-/// \pre weights are not negative; there is at least one level; scale and accuracy are positive
+/// \pre weights are not negative; there is at least one level; scale and accuracy are positive; landmarks
+///      are vertices of their meshes, none of them in two pairs
 ///
 /// Complexity: linear in the sizes of the meshes; two of 5,000 vertices take 3 seconds on one core.
 template <class ExecutionPolicy, class MeshA, class SphereMapA, class PointMapA, class MeshB, class SphereMapB,
@@ -105,8 +107,13 @@ Registration_result register_maps(const ExecutionPolicy& policy, const Mapped_me
     const Vertex_numbering<MeshA> number_a(vertices(a.mesh));
     const Vertex_numbering<MeshB> number_b(vertices(b.mesh));
     std::vector<std::pair<int, int>> pairs;
-    for(const auto& [v, w] : landmarks)
-      pairs.emplace_back(number_a(v), number_b(w));
+    std::set<int> seen[2];
+    for(const auto& [v, w] : landmarks) {
+      pairs.emplace_back(number_a.checked(v), number_b.checked(w));
+      CGAL_SP_PRECONDITION(pairs.back().first >= 0 && pairs.back().second >= 0, "a landmark is no vertex of its mesh");
+      const bool are_new = seen[0].insert(pairs.back().first).second && seen[1].insert(pairs.back().second).second;
+      CGAL_SP_PRECONDITION(are_new, "a vertex has two landmarks");
+    }
     const auto read = [&](const auto& m) {
       return Valid_map(read_map(m.mesh, m.points, m.sphere_map, Reading::CHECKED, loop), loop);
     };

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -39,13 +40,19 @@ auto rigid_path(const Points& start, const Points& end)
   };
   Matrix from = by_columns(start), to = by_columns(end);
   CGAL_SP_PRECONDITION(from.allFinite() && to.allFinite(), "both ends of a path are finite");
+  const double size = (std::max)(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
+  const int exponent = size > 0 ? std::ilogb(size) : 0;
+  const auto scaled = [](const Matrix& places, int by) -> Matrix { // changes no digit, and sums do not overflow
+    return places.unaryExpr([by](double x) { return std::ldexp(x, by); });
+  };
+  from = scaled(from, -exponent);
+  to = scaled(to, -exponent);
   const Vector from_centre = from.rowwise().mean(), to_centre = to.rowwise().mean();
   from.colwise() -= from_centre;
   to.colwise() -= to_centre;
-  const auto in_unit = [](const Matrix& places) -> Matrix { // by a power of two: squares neither overflow nor vanish
-    const double size = places.cwiseAbs().maxCoeff();
-    const int exponent = size > 0 ? std::ilogb(size) : 0;
-    return places.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
+  const auto in_unit = [&scaled](const Matrix& places) { // where squares neither overflow nor vanish
+    const double largest = places.cwiseAbs().maxCoeff();
+    return scaled(places, largest > 0 ? -std::ilogb(largest) : 0);
   };
   const Turn turn(Matrix_3(Eigen::umeyama(in_unit(from), in_unit(to), false).template topLeftCorner<3, 3>()));
   to = turn.inverse().toRotationMatrix() * to; // turned back
@@ -54,7 +61,8 @@ auto rigid_path(const Points& start, const Points& end)
     if(t <= 0 || t >= 1)
       return t <= 0 ? first : last;
     const Matrix_3 part = Turn(t * turn.angle(), turn.axis()).toRotationMatrix();
-    const Matrix all = (part * ((1 - t) * from + t * to)).colwise() + ((1 - t) * from_centre + t * to_centre);
+    const Matrix all =
+      scaled((part * ((1 - t) * from + t * to)).colwise() + ((1 - t) * from_centre + t * to_centre), exponent);
     Places points;
     for(Eigen::Index v = 0; v < all.cols(); ++v)
       points.push_back({all(0, v), all(1, v), all(2, v)});

@@ -136,8 +136,6 @@ Procrustes_alignment place_shapes(const ExecutionPolicy& policy, const Atlas_mes
                                   std::vector<Shape_points>& shapes, Atlas_placement placement,
                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  if(placement == Atlas_placement::AS_THEY_STAND)
-    return {};
   return internal::align_atlas(policy, shapes, internal::weights_of_atlas(policy, atlas, shapes, placement, np),
                                placement, np);
 }
@@ -204,8 +202,9 @@ struct Shape_atlas : Atlas_statistics {
 /// \param modes      at most so many
 /// \param np         `callback` and `maximum_running_time` of every step, see \ref pd_calls
 /// \return the atlas
-/// \throws Error `EMPTY_MESH` if there are fewer than two maps that can be registered, `INTERRUPTED`; the codes of
-///               `Spherical_locator` for the map of the template
+/// \throws Error the code of the first map that could not be registered, if fewer than two are left; `INTERRUPTED`; the
+///               codes of `Spherical_locator` for the map of the template
+/// \pre two or more maps
 template <class ExecutionPolicy, class TriangleMesh, class SphereMap, class PointMap, class CGAL_NP_TEMPLATE_PARAMETERS,
           internal::If_policy<ExecutionPolicy> = 0>
 Shape_atlas
@@ -213,8 +212,10 @@ shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<Triangl
             std::size_t first, int rounds, const Atlas_mesh& atlas, Atlas_placement placement = Atlas_placement::RIGID,
             int modes = (std::numeric_limits<int>::max)(), const CGAL_NP_CLASS& np = parameters::default_values())
 {
+  CGAL_SP_PRECONDITION(maps.size() >= 2, "an atlas needs two shapes or more");
   CGAL_SP_PRECONDITION(rounds >= 1 && first < maps.size(), "one round or more, and a template among the maps");
   Shape_atlas result;
+  Error_code code = Error_code::OK; // of the first refusal
   Shape_points mean;
   for(int round = 0; round < rounds; ++round) {
     result.shapes.clear();
@@ -238,6 +239,7 @@ shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<Triangl
       if(found.error == Error_code::INTERRUPTED)
         throw internal::Input_error(found.error, found.detail);
       if(!found) {
+        code = code == Error_code::OK ? found.error : code;
         result.refused.emplace_back(i, std::string(get_error_message(found.error)) + ": " + found.detail);
         continue;
       }
@@ -246,9 +248,8 @@ shape_atlas(const ExecutionPolicy& policy, const std::vector<Mapped_mesh<Triangl
       result.members.push_back(i);
     }
     if(result.shapes.size() < 2)
-      throw internal::Input_error(Error_code::EMPTY_MESH,
-                                  "two or more shapes are needed, and of " + std::to_string(maps.size()) + " maps " +
-                                    std::to_string(result.shapes.size()) + " could be registered");
+      throw internal::Input_error(code, "two or more shapes are needed, and of " + std::to_string(maps.size()) +
+                                          " maps " + std::to_string(result.shapes.size()) + " could be registered");
     if(round + 1 < rounds)
       mean = mean_shape(policy, atlas, result.shapes, placement, np);
   }

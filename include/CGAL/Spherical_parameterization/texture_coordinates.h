@@ -17,7 +17,9 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 
 namespace CGAL::Spherical_parameterization {
@@ -39,7 +41,8 @@ namespace CGAL::Spherical_parameterization {
 /// \param sphere_map  readable, key vertex_descriptor, value unit vectors; a valid map
 /// \param uv_map      writable, key halfedge_descriptor, value constructible from two doubles: the corner of face(h) at
 ///                    target(h)
-/// \param options     the chart, its axes on the sphere, and the grid of the coordinates
+/// \param options     the chart, its axes on the sphere, and the grid of the coordinates, which has no more bits than
+///                    the coordinates of `uv_map` hold, 23 for floats
 /// \param np          optional named parameters: `vertex_point_map`, for the choice of the poles; `callback` and
 ///                    `maximum_running_time`, as in `parameterize()`
 /// \return the report
@@ -66,13 +69,17 @@ Texture_report texture_coordinates(const ExecutionPolicy& policy, const Triangle
     loop);
   const internal::Watched_loop watched(loop, monitor);
   watched.advance(0);
-  const internal::Texture_layout layout = internal::texture_layout(watched, map, options);
   const auto stored = [](const internal::vec2& uv) {
     if constexpr(std::is_constructible_v<UV, double, double>)
       return UV(uv.x, uv.y);
     else // std::array
       return UV{static_cast<typename UV::value_type>(uv.x), static_cast<typename UV::value_type>(uv.y)};
   };
+  Texture_options on_grid = options;
+  if constexpr(std::is_invocable_v<std::equal_to<>, UV, UV>)
+    while(on_grid.bits > 1 && stored({1 + std::ldexp(1., -on_grid.bits), 0}) == stored({1, 0}))
+      --on_grid.bits;
+  const internal::Texture_layout layout = internal::texture_layout(watched, map, on_grid);
   std::size_t i = 0;
   for(auto f : faces(mesh)) {
     const std::array<internal::vec2, 3>& uv = layout.uv[i++];

@@ -80,7 +80,8 @@ struct Registration_result {
 
   /// \name Of the Registered Map, as It Is Stored
   /// @{
-  double mismatch_before = 0; ///< root mean square difference of the features of the rotated map, on the finest level
+  double mismatch_before = 0; ///< of the features of the rotated map, on the finest level: the root of the sum of
+                              ///< their mean squared differences, each times its weight
                               ///< that was reached; 0 if the call ended before the deformation
   double mismatch = 0;        ///< the same of the registered map
   double distortion = 4; ///< mean symmetric Dirichlet energy of the deformation of the sphere, by determinants; 4: none

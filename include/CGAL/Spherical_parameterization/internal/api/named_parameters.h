@@ -9,6 +9,8 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/version.h>
 
+#include <boost/property_map/property_map.hpp>
+
 namespace CGAL {
 
 #if CGAL_VERSION_NR < 1060100000
@@ -51,6 +53,9 @@ auto vertex_density_map(const VertexDensityMap& density, const Others&... others
 
 namespace Spherical_parameterization {
 namespace internal {
+
+using boost::get; // of pointers, which are property maps
+using boost::put;
 
 template <class NamedParameters>
 struct Tag_of;

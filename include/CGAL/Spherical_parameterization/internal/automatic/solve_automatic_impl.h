@@ -99,7 +99,8 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     if(is_extreme)
       attempts.back().detail = "valid, but lengths shrink more than " + to_string(method_.largest_shrinkage) +
                                " times on " + to_string(100 * shrunk) + " % of the surface";
-    const bool is_better = solution.has_map() && !is_best_extreme && badness(solution) < badness(best);
+    const bool is_better = solution.has_map() && (is_best_extreme ? !is_extreme && solution.certificate.is_valid()
+                                                                  : badness(solution) < badness(best));
     // Which landmarks contradict the mesh is of more use than a map that is not valid.
     const bool is_refusal = solution.error == Error_code::BAD_CONSTRAINTS && best.error != Error_code::OK;
     if((is_valid && !is_extreme) || !best.has_map() || is_better || is_refusal) {
@@ -110,13 +111,20 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     return (is_valid && !is_extreme) || monitor.is_interrupted();
   };
   const bool has_springs = problem.graph != nullptr; // none with densities, nor where a face has no area for a weight
-  if(!has_springs || !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}), effort, 0, 0.5))
+  // Whose limbs are of no use in the end gains nothing by mending.
+  const auto is_extreme = [&](const Host_array<vec3>& x) {
+    return shrunk_share(backend.host_loop(), problem, x, method_.largest_shrinkage) > negligible_share;
+  };
+  if(!has_springs ||
+     !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}, is_extreme), effort, 0, 0.5))
     try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), // what was given is for springs
                has_springs ? 0.5 : 0, 1);
-  if(best.error != Error_code::OK && best.error != Error_code::INTERRUPTED && monitor.is_interrupted()) {
+  if((best.error != Error_code::OK || is_best_extreme) && best.error != Error_code::INTERRUPTED &&
+     monitor.is_interrupted()) {
     best.error = Error_code::INTERRUPTED;
-    best.detail =
-      best.has_map() ? monitor.reason() + "; the best map so far: " + best.detail : monitor.reason_without_map();
+    best.termination = monitor.termination();
+    best.detail = best.has_map() ? monitor.reason() + "; the best map so far: " + attempts[chosen].detail
+                                 : monitor.reason_without_map();
     best.remedy.clear();
   }
   best.attempts = std::move(attempts);

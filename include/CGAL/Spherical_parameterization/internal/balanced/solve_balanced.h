@@ -5,12 +5,16 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVE_BALANCED_H
 
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace CGAL::Spherical_parameterization::internal {
 
@@ -18,7 +22,11 @@ namespace CGAL::Spherical_parameterization::internal {
 template <>
 class Method_solver<Balanced> {
 public:
-  explicit Method_solver(const Balanced& method) : method_(method)
+  /// Whether a map with many flipped faces is not worth any more work.
+  typedef std::function<bool(const Host_array<vec3>&)> Rejection;
+
+  explicit Method_solver(const Balanced& method, Rejection rejects = nullptr)
+    : method_(method), rejects_(std::move(rejects))
   {
     CGAL_SP_PRECONDITION(method.spring_exponent >= 2 && std::isfinite(method.spring_exponent),
                          "the spring exponent has to be 2 or larger, and finite");
@@ -36,6 +44,7 @@ public:
 
 private:
   Balanced method_;
+  Rejection rejects_;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

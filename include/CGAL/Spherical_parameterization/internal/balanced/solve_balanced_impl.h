@@ -34,30 +34,35 @@ constexpr double finest_accuracy = 1e-15;
 /// - tightens the accuracy;
 /// - starts again with short steps: on coarse meshes the balanced critical point may be a degenerate map, with faces on
 ///   a great circle, that a careful descent approaches from the valid side, and an eager one from both.
-/// `descend(options, v)` is the descent. Fills in report, certificate and seconds of `solution`; returns whether the
-/// certificate is that of v.
-template <class Backend, class Start, class Descend>
-bool solve_until_valid(const Backend& backend, const Problem& problem, Start start, Descend descend, double accuracy,
-                       std::size_t maximum_iterations, Monitor& monitor, typename Backend::Vectors& v,
-                       Solution& solution)
+/// `descend(options, v)` is the descent. Nothing is done where many are flipped and `rejects(x)`, if it is there, is
+/// true. Fills in report, certificate and seconds of `solution`; returns whether the certificate is that of v.
+template <class Backend, class Start, class Descend, class Rejection>
+bool solve_until_valid(const Backend& backend, const Problem& problem, Start start, Descend descend,
+                       const Rejection& rejects, double accuracy, std::size_t maximum_iterations, Monitor& monitor,
+                       typename Backend::Vectors& v, Solution& solution)
 {
   constexpr std::size_t patience_at_the_limit = 3;
   // More than few flipped faces are of limbs that are not right yet. These are not mended as long as their number
   // falls. Bad faces are mended where they are large beside the accuracy, or that is as fine as is of use.
   constexpr double few = 1e-3, least_fall = 0.5, no_fall = 0.02; // of the faces; of their number
   constexpr double large = 100, finest_of_use = 1e-12;
+  constexpr double many = 0.1; // of the faces; fewer can still be mended
   const bool is_rough = backend.best_accuracy(problem.size()) > 0;
   double flipped_before = 0;
-  bool is_hopeless = false; // fixed vertices contradict each other: what they flip does not depend on the accuracy
-  bool is_stuck = false;    // nor does what noise flips all over the surface: another start may help
+  // Rejected, or fixed vertices contradict each other: what they flip does not depend on the accuracy.
+  bool is_hopeless = false;
+  bool is_stuck = false; // nor does what noise flips all over the surface: another start may help
   const auto settle_at = [&](double current, bool is_last) {
-    const auto resolution = [&](const Certificate& certificate) {
+    const auto resolution = [&](const Certificate& certificate, const Host_array<vec3>& x) {
       const double flipped = static_cast<double>(certificate.flipped_faces);
       const double before = std::exchange(flipped_before, flipped);
       const bool are_few = flipped < few * static_cast<double>(problem.face.size());
       const bool are_no_fewer = before > 0 && flipped > least_fall * before;
-      is_hopeless = problem.has_fixed() && are_no_fewer && !are_few;
+      const bool is_rejected = rejects && flipped > many * static_cast<double>(problem.face.size()) && rejects(x);
+      is_hopeless = is_rejected || (problem.has_fixed() && are_no_fewer && !are_few);
       is_stuck = before > 0 && flipped > (1 - no_fall) * before;
+      if(is_rejected)
+        return std::numeric_limits<double>::infinity();
       if(is_last)
         return 0.;
       if(!are_few && !are_no_fewer)
@@ -215,7 +220,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
         break;
       if(is_accurate) {
         is_certified = true;
-        const auto resolution = [](const Certificate&) { return 0.; };
+        const auto resolution = [](const Certificate&, const Host_array<vec3>&) { return 0.; };
         if(settle(backend, problem, v, false, resolution, monitor, solution) == Settled::YES)
           break;
       }
@@ -246,9 +251,9 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
 /// function, so that this map is balanced. The reference is taken early and renewed as the residual falls: it is a
 /// small change each time, and the descent goes on as if nothing had happened. Each renewal reduces the influence of
 /// the start map, which depends on the numbering, some forty times.
-template <class Backend>
-bool solve_harmonic(const Backend& backend, const Problem& problem, double accuracy, std::size_t maximum_iterations,
-                    Monitor& monitor, typename Backend::Vectors& v, Solution& solution)
+template <class Backend, class Rejection>
+bool solve_harmonic(const Backend& backend, const Problem& problem, const Rejection& rejects, double accuracy,
+                    std::size_t maximum_iterations, Monitor& monitor, typename Backend::Vectors& v, Solution& solution)
 {
   const Stopwatch watch;
   const bool is_free = !problem.has_fixed();
@@ -279,7 +284,7 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, double accur
   // ones.
   const double goal = is_free ? accuracy : accuracy / 3;
   const bool is_certified =
-    solve_until_valid(backend, problem, start, descend, goal, maximum_iterations, monitor, v, solution);
+    solve_until_valid(backend, problem, start, descend, rejects, goal, maximum_iterations, monitor, v, solution);
   if(!is_free) {
     solution.report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
     solution.report.has_converged = solution.report.residual <= accuracy;
@@ -331,7 +336,7 @@ Solution Method_solver<Balanced>::solve(const Backend& backend, const Problem& p
   typename Backend::Vectors v;
   const bool is_certified =
     method_.spring_exponent == 2
-      ? solve_harmonic(backend, problem, accuracy, maximum_iterations, monitor, v, solution)
+      ? solve_harmonic(backend, problem, rejects_, accuracy, maximum_iterations, monitor, v, solution)
       : solve_stiffening(backend, problem, method_.spring_exponent, accuracy, maximum_iterations, monitor, v, solution);
   solution.seconds.solve = watch.seconds() - solution.seconds.start_map - solution.seconds.certify;
   const auto measure = [&](const typename Backend::Vectors& x, Solver_report& report) {

@@ -44,7 +44,9 @@ CGAL_SP_INLINE std::vector<double> sample_cells(const Stretch_histogram& options
   const std::size_t n = options.number_of_samples;
   if(options.sampling == Stretch_histogram::Sampling::RANDOM) {
     std::mt19937 generator(options.random_seed);
-    const auto uniform = [&] { return generator() * 0x1p-32; }; // the same numbers with every standard library
+    const auto uniform = [&] {
+      return static_cast<double>(generator()) * 0x1p-32;
+    }; // the same numbers with every standard library
     for(std::size_t k = 0; k < n; ++k) {
       const double position = uniform(), s = uniform(), t = uniform();
       add_point(position, s, t);
@@ -53,8 +55,9 @@ CGAL_SP_INLINE std::vector<double> sample_cells(const Stretch_histogram& options
     // M. Roberts' sequence: multiples of the inverse powers of the plastic number fill the unit square evenly.
     constexpr double plastic = 1.32471795724474602596;
     for(std::size_t k = 0; k < n; ++k) {
-      const double s = std::fmod(0.5 + k / plastic, 1.), t = std::fmod(0.5 + k / (plastic * plastic), 1.);
-      add_point((k + 0.5) / n, s, t);
+      const double x = static_cast<double>(k);
+      const double s = std::fmod(0.5 + x / plastic, 1.), t = std::fmod(0.5 + x / (plastic * plastic), 1.);
+      add_point((x + 0.5) / static_cast<double>(n), s, t);
     }
   }
   return count;

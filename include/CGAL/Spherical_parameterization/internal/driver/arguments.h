@@ -156,11 +156,7 @@ public:
 
   Keyed_map(const Map& map, const Key& key) : map_(map), key_(key) {}
 
-  friend value_type get(const Keyed_map& m, const Descriptor& d)
-  {
-    using boost::get; // of pointers
-    return get(m.map_, m.key_(d));
-  }
+  friend value_type get(const Keyed_map& m, const Descriptor& d) { return get(m.map_, m.key_(d)); }
 
 private:
   Map map_;

@@ -144,7 +144,6 @@ Host_array<vec3> given_positions(const std::vector<Vertex>& vertices, const Host
 template <class Range, class DensityMap>
 Host_array<double> read_densities(const Range& range, const std::optional<DensityMap>& map, const std::string& what)
 {
-  using boost::get; // of pointers
   Host_array<double> density;
   if(!map)
     return density;

@@ -51,6 +51,7 @@ public:
     bool is_last;                               ///< whether it goes on to the finest mesh where they do not get there
     Landmark_budget* budget;                    ///< for all attempts
     const Host_array<vec3>* free_map = nullptr; ///< without landmarks, to begin with instead of a tetrahedron
+    double least_exponent = 0;                  ///< of the area, below the whole mesh
   };
 
   Coarse_to_fine_map(const Watched_loop<Host_loop>& loop, const Isometric& method, const Problem& problem,
@@ -58,8 +59,9 @@ public:
     : loop_(loop), attempt_(attempt), method_(method),
       last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
                                                                            : Isometric::area_exponent_of_densities)),
-      exponent_((std::min)(last_exponent_, largest_coarse_exponent)), distortion_(exponent_), problem_(problem),
-      effort_(effort), source_area_(area_of_source()), density_(problem), mesh_(loop, problem.face, problem.size()),
+      exponent_(std::clamp(last_exponent_, attempt.least_exponent, largest_coarse_exponent)), distortion_(exponent_),
+      problem_(problem), effort_(effort), source_area_(area_of_source()), density_(problem),
+      mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          Host_array<int>(problem.size(), -1)},
       level_sizes_(sizes_of_levels(problem.size(), exponent_))
@@ -455,6 +457,7 @@ private:
       Newton_relaxation<> newton(loop_, distortion_, level_);
       relax_whole_mesh(newton, report);
       measure(newton, report);
+      reach_accuracy(newton, report);
     } catch(const Input_error&) {
       if(!loop_.monitor().is_interrupted() || !are_landmarks_placed())
         throw;
@@ -477,6 +480,10 @@ private:
   {
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
+    if(exponent_ > last_exponent_) {
+      exponent_ = last_exponent_;
+      distortion_ = Distortion(exponent_);
+    }
     descend(newton, number_of_steps(), report);
     while(exponent_ < last_exponent_) {
       exponent_ = (std::min)(last_exponent_, growth_of_exponent * exponent_);
@@ -484,6 +491,20 @@ private:
       descend(newton,
               exponent_ < last_exponent_ ? (std::min)(steps_per_exponent, number_of_steps()) : number_of_steps(),
               report);
+    }
+  }
+
+  /// What a step promises falls below the accuracy a little before the residual of the map that it leads to does.
+  void reach_accuracy(Newton_relaxation<>& newton, Solver_report& report)
+  {
+    constexpr int patience = 5;
+    double least = report.residual;
+    for(int in_vain = 0; !report.has_converged && !report.has_stalled && report.iterations < number_of_steps();) {
+      descend(newton, 1, report);
+      measure(newton, report);
+      in_vain = report.residual < least ? 0 : in_vain + 1;
+      least = (std::min)(least, report.residual);
+      report.has_stalled = report.has_stalled || in_vain == patience;
     }
   }
 
@@ -626,9 +647,19 @@ CGAL_SP_INLINE Host_array<vec3> coarse_to_fine_map(const Watched_loop<Host_loop>
   const auto landmarks = std::count(problem.is_fixed.begin(), problem.is_fixed.end(), 1);
   double size = (std::max)(double(least_size), vertices_per_landmark * double(landmarks));
   Landmark_budget budget(problem.size());
-  const auto run = [&](const Problem& of, const Attempt& attempt) {
-    report = Solver_report();
-    return Coarse_to_fine_map<>(loop, method, of, effort, attempt).run(report);
+  // The smaller the exponent, the more limbs shrink, on coarse levels below the resolution of doubles.
+  const auto run = [&](const Problem& of, Attempt attempt) {
+    constexpr double least_exponent = 0.1;
+    for(;;)
+      try {
+        report = Solver_report();
+        return Coarse_to_fine_map<>(loop, method, of, effort, attempt).run(report);
+      } catch(const Input_error& error) {
+        if(error.code() != Error_code::NOT_BIJECTIVE || attempt.least_exponent > 0 ||
+           method.area_exponent.value_or(least_exponent) >= least_exponent)
+          throw;
+        attempt.least_exponent = least_exponent;
+      }
   };
   const auto is_next_worth_while = [&](const Input_error& error) {
     return !budget.is_spent() &&

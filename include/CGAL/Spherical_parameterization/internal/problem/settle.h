@@ -100,8 +100,8 @@ enum class Settled {
 };
 
 /// Certifies a map on the backend as it will be stored, into `solution`, and mends it.
-/// \param resolution  of a certificate: how small faces may be that are mended, infinite for none. While it is not 0, a
-///                    valid map with bad faces below it is not done with, either
+/// \param resolution  of a certificate and its map: how small faces may be that are mended, infinite for none. While it
+///                    is not 0, a valid map with bad faces below it is not done with, either
 template <class Backend, class Resolution>
 Settled settle(const Backend& backend, const Problem& problem, const typename Backend::Vectors& v, bool is_harmonic,
                Resolution resolution, Monitor& monitor, Solution& solution)
@@ -113,7 +113,7 @@ Settled settle(const Backend& backend, const Problem& problem, const typename Ba
   const bool is_valid =
     solution.certificate.is_valid() || (problem.as_stored && certify(loop, problem.face, x).is_valid());
   solution.seconds.certify += watch.seconds(); // mending is part of the solution
-  const double smallest = resolution(solution.certificate);
+  const double smallest = resolution(solution.certificate, x);
   const Mending mending = mend_conformal(loop, problem, is_harmonic, smallest, monitor, std::move(x), solution);
   if(mending == Mending::DONE || (is_valid && !(problem.is_intrinsic() && smallest > 0)))
     return Settled::YES;

@@ -178,21 +178,26 @@ template <class Loop>
 std::vector<double> mean_areas_of_vertices(const Loop& loop, const Host_array<std::array<int, 3>>& face,
                                            const std::vector<Shape_points>& shapes, bool are_shares)
 {
-  const auto area_of = [&face](const Shape_points& shape, int f) {
-    const auto at = [&](int corner) { return coordinates(shape[face[f][corner]]); };
+  std::vector<double> factor; // of the points, a power of 2: products neither overflow nor vanish
+  for(const Shape_points& shape : shapes) {
+    double largest = 0;
+    for(const auto& p : shape)
+      largest = (std::max)({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    factor.push_back(largest > 0 ? std::ldexp(1., -(std::max)(std::ilogb(largest), -1000)) : 1);
+  }
+  const auto area_of = [&](std::size_t i, int f) {
+    const auto at = [&](int corner) { return scale(factor[i], coordinates(shapes[i][face[f][corner]])); };
     return norm(outer(sub(at(1), at(0)), sub(at(2), at(0)))) / 2;
   };
   const int n = static_cast<int>(face.size());
-  std::vector<double> unit(shapes.size(), 1);
-  for(std::size_t i = 0; i < shapes.size() && are_shares; ++i) {
-    const double whole = sum_by_parts(loop, n, [&](int f) { return area_of(shapes[i], f); });
-    unit[i] = whole > 0 ? whole : 1;
-  }
+  std::vector<double> whole(shapes.size(), 1);
+  for(std::size_t i = 0; i < shapes.size() && are_shares; ++i)
+    whole[i] = sum_by_parts(loop, n, [&](int f) { return area_of(i, f); });
   Host_array<double> area(face.size());
   for_each_index(loop, n, [&](int f) {
     area[f] = 0;
     for(std::size_t i = 0; i < shapes.size(); ++i)
-      area[f] += area_of(shapes[i], f) / unit[i];
+      area[f] += are_shares ? (whole[i] > 0 ? area_of(i, f) / whole[i] : 0) : area_of(i, f) / factor[i] / factor[i];
   });
   std::vector<double> result(shapes[0].size(), 0);
   for(std::size_t f = 0; f < face.size(); ++f)

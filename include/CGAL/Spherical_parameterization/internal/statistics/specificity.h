@@ -55,7 +55,7 @@ specificity(const Loop& loop, const Principal_components& components, int sample
     const auto nearest = [&] { return std::sqrt((std::max)(0., *std::min_element(squares.begin(), squares.end()))); };
     out[0] = nearest();
     for(std::size_t k = 0; k < modes; ++k) {
-      const double b = components.deviation[k] / std::sqrt(n - 1.) * normal[sample * modes + k];
+      const double b = components.deviation[k] / std::sqrt(static_cast<double>(n) - 1) * normal[sample * modes + k];
       for(std::size_t i = 0; i < n; ++i)
         squares[i] += b * (b - 2 * score[k * n + i]);
       out[k + 1] = nearest();

@@ -47,6 +47,18 @@ public:
         table_.emplace(d, size_++);
   }
 
+  /// -1 for a descriptor that is not of the range, as far as it can be told.
+  int checked(Descriptor d) const
+  {
+    if constexpr(Has_idx<Descriptor>::value) {
+      const auto i = static_cast<std::size_t>(d.idx());
+      return i < table_.size() ? table_[i] : -1;
+    } else {
+      const auto entry = table_.find(d);
+      return entry == table_.end() ? -1 : entry->second;
+    }
+  }
+
   int operator()(Descriptor d) const
   {
     if constexpr(Has_idx<Descriptor>::value)

@@ -6,6 +6,10 @@
 
 #include <CGAL/Spherical_parameterization/values/OpenCL_device_info.h>
 #include <CGAL/Spherical_parameterization/values/OpenCL_error.h>
+#if !__has_include(<CGAL/Spherical_parameterization/internal/backend/opencl/kernel_sources.h>)
+#error                                                                                                                 \
+  "CMake writes the sources of the kernels: include the installed package, or the folder include/ of a build as well"
+#endif
 #include <CGAL/Spherical_parameterization/internal/backend/opencl/kernel_sources.h>
 
 #include <algorithm>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // What is done with a map: certificate, distortion, segments, textures, the inverse, shape search.
 
 #include "watch.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // What the files of the binding share: arrays of numpy as ranges, points and triangles as a mesh, policies by name.
 // The functions of the module are private: the Python files next to it check shapes and types before they call.
 

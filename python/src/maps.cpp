@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // The module spherical_parameterization._core: parameterize(), devices, errors. analysis.cpp has what is done with a
 // map.
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // The module spherical_parameterization._preparation. It is under the GPL, as the packages of CGAL that mend meshes and
 // the page that shows them are, and a module by itself, so that the others are not.
 

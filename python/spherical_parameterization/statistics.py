@@ -101,14 +101,8 @@ def _groups(groups: int | None, shapes: Doubles) -> int:
 
 
 def align_shapes(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    rotate: bool = True,
-    scale: bool = False,
-    accuracy: float = 1e-10,
-    iterations: int = 1000,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, rotate: bool = True, scale: bool = False,
+    accuracy: float = 1e-10, iterations: int = 1000, policy: str = "parallel",
 ) -> ShapeSet:
     """Generalized Procrustes alignment: moves shapes so that they are closest to their mean.
 
@@ -142,11 +136,7 @@ def align_shapes(
 
 
 def shape_statistics(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    modes: int | None = None,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, modes: int | None = None, policy: str = "parallel",
 ) -> ShapeStatistics:
     """Mean and principal components of shapes. Call `align_shapes()` first.
 
@@ -172,11 +162,7 @@ def shape_statistics(
 
 
 def left_out_errors(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    groups: int | None = None,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, groups: int | None = None, policy: str = "parallel",
 ) -> Doubles:
     """Leave-out errors: every shape is left out, and reconstructed from the modes of the others.
 
@@ -211,13 +197,8 @@ class ModelQuality(OneLine):
 
 
 def model_quality(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    groups: int | None = None,
-    samples: int = 1000,
-    seed: int = 1,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, groups: int | None = None, samples: int = 1000,
+    seed: int = 1, policy: str = "parallel",
 ) -> ModelQuality:
     """Compactness, generalization and specificity of shapes as a model (Davies 2002; Styner et al. 2003).
 

@@ -7,8 +7,7 @@
 #include "input/files.h"
 #include "output/atomic_file.h"
 #include "system/interruption.h"
-#include "system/progress_bar.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <algorithm>
 #include <filesystem>

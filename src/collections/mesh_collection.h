@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "options/usage.h"
+#include "options/command_line.h"
 #include "system/refusal.h"
 
 #include <cstdint>

@@ -9,8 +9,8 @@
 #include "output/atomic_file.h"
 #include "output/text_writer.h"
 #include "system/interruption.h"
-#include "system/progress_bar.h"
 #include "system/refusal.h"
+#include "system/terminal.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -2,7 +2,7 @@
 
 #include "options/option.h"
 
-#include "options/usage.h"
+#include "options/command_line.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,7 @@
 #include "input/compression.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <cerrno>
 #include <filesystem>

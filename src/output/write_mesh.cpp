@@ -2,7 +2,6 @@
 
 #include "output/write_mesh.h"
 
-#include "output/ply.h"
 #include "output/quantile.h"
 #include "output/text_writer.h"
 #include "system/refusal.h"

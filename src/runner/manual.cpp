@@ -3,7 +3,6 @@
 #include "runner/step.h"
 
 #include "input/files.h"
-#include "options/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/replace.hpp>

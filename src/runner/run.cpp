@@ -4,7 +4,7 @@
 
 #include "output/write_vertex_data.h"
 #include "system/interruption.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 namespace tool {
 

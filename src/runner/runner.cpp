@@ -4,9 +4,8 @@
 
 #include "input/files.h"
 #include "input/mesh_format.h"
-#include "options/command_line.h"
 #include "output/write_vertex_data.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <CGAL/version.h>
 

@@ -7,7 +7,7 @@
 #include "input/mesh_readers.h"
 #include "preparation/prepare.h"
 #include "system/interruption.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -5,7 +5,6 @@
 #include "collections/signatures.h"
 #include "input/mesh_readers.h"
 #include "mapping/registered_pair.h"
-#include "output/ply.h"
 #include "system/interruption.h"
 
 #include <algorithm>

@@ -142,12 +142,10 @@ def shape_statistics(
 
     Parameters
     ----------
-    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-    weights : array_like (m,) of float
-        Weights of the vertices. Default: equal.
+    shapes, weights, policy
+        As for `align_shapes()`.
     modes : int
         Maximum number of modes. Default: all modes above rounding errors, n - 1 or fewer.
-    policy : {"parallel", "sequential"}
 
     Returns
     -------
@@ -168,13 +166,10 @@ def left_out_errors(
 
     Parameters
     ----------
-    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-        Aligned shapes.
-    weights : array_like (m,) of float
-        Weights of the vertices. Default: equal.
+    shapes, weights, policy
+        As for `align_shapes()`, which should have aligned the shapes.
     groups : int
         Number of groups in which shapes are left out, 2 to n. Default: one by one.
-    policy : {"parallel", "sequential"}
 
     Returns
     -------
@@ -204,17 +199,14 @@ def model_quality(
 
     Parameters
     ----------
-    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-        Aligned shapes.
-    weights : array_like (m,) of float
-        Weights of the vertices. Default: equal.
+    shapes, weights, policy
+        As for `align_shapes()`, which should have aligned the shapes.
     groups : int
         As for `left_out_errors()`.
     samples : int
         Number of random shapes, 2 or more. A random shape is the mean plus modes with normally distributed scores.
     seed : int
         Seed of the random numbers.
-    policy : {"parallel", "sequential"}
 
     Returns
     -------

@@ -4,6 +4,7 @@
 
 #include "mapping/spherical_map.h"
 #include "system/interruption.h"
+#include "system/terminal.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 

@@ -94,11 +94,7 @@ def distortion(
 
 
 def face_distortion(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    sphere: Sphere,
-    measure: str = "log_area_stretch",
-    *,
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, measure: str = "log_area_stretch", *,
     policy: str = "parallel",
 ) -> Doubles:
     """The distortion of every face.
@@ -217,13 +213,8 @@ def vertex_log_area_stretch(
 
 
 def segment(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    sphere: Sphere,
-    method: Segmentation = MajorityVote(),
-    *,
-    stretch: npt.ArrayLike | None = None,
-    policy: str = "parallel",
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, method: Segmentation = MajorityVote(), *,
+    stretch: npt.ArrayLike | None = None, policy: str = "parallel",
 ) -> npt.NDArray[np.int32]:
     """Cuts a shape into body and limbs.
 
@@ -270,14 +261,9 @@ class Texture(OneLine):
 
 
 def texture_coordinates(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    sphere: Sphere,
-    *,
-    chart: str = "latitude-longitude",
-    axes: tuple[Sequence[float], Sequence[float]] | None = None,
-    bits: int = 52,
-    policy: str = "parallel",
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, *,
+    chart: str = "latitude-longitude", axes: tuple[Sequence[float], Sequence[float]] | None = None,
+    bits: int = 52, policy: str = "parallel",
 ) -> Texture:
     """Texture coordinates for every corner; no triangle is flipped or degenerate in the plane.
 
@@ -605,11 +591,7 @@ class Locator:
         return of_faces[self.locate(a + (b + c))[0]]
 
     def transfer_segment_labels(
-        self,
-        labels: npt.ArrayLike,
-        points: npt.ArrayLike,
-        triangles: npt.ArrayLike,
-        sphere: Sphere,
+        self, labels: npt.ArrayLike, points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere,
         segments: npt.ArrayLike,
     ) -> Any:
         """Gives each segment of another mesh the label that the largest share of its area has here.
@@ -639,9 +621,7 @@ class Locator:
         )
         return names[found]
 
-    def resample(
-        self, points: npt.ArrayLike, level: int
-    ) -> tuple[Doubles, npt.NDArray[np.int32], Doubles]:
+    def resample(self, points: npt.ArrayLike, level: int) -> tuple[Doubles, npt.NDArray[np.int32], Doubles]:
         """Samples the shape at the vertices of an icosphere.
 
         Parameters
@@ -684,11 +664,7 @@ class Locator:
 
 
 def shape_signature(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    sphere: Sphere | None = None,
-    *,
-    policy: str = "parallel",
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere | None = None, *, policy: str = "parallel",
 ) -> Doubles:
     """The signature of a shape, 96 numbers that are similar for all poses of the shape; see `search()`.
 
@@ -794,18 +770,9 @@ def search(signature: npt.ArrayLike, index: npt.ArrayLike, k: int = 10) -> tuple
 
 
 def stretch_histogram(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    sphere: Sphere,
-    *,
-    sampling: str = "exact-areas",
-    scale: str = "logarithmic",
-    bins: int = 32,
-    low: float = -4,
-    high: float = 28,
-    number_of_samples: int = 4096,
-    seed: int = 0,
-    policy: str = "parallel",
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere, *,
+    sampling: str = "exact-areas", scale: str = "logarithmic", bins: int = 32, low: float = -4, high: float = 28,
+    number_of_samples: int = 4096, seed: int = 0, policy: str = "parallel",
 ) -> Doubles:
     """The published shape signature: the histogram of the area stretch. See `shape_signature()` for a better one.
 

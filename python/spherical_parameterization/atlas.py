@@ -33,15 +33,9 @@ class Atlas(OneLine):
 
 
 def atlas(
-    meshes: Sequence[tuple[npt.ArrayLike, npt.ArrayLike]],
-    *,
-    template: int | None = None,
-    rounds: int = 1,
-    faces: str = "icosphere",
-    level: int = 5,
-    align: str = "rigid",
-    modes: int | None = None,
-    policy: str = "parallel",
+    meshes: Sequence[tuple[npt.ArrayLike, npt.ArrayLike]], *,
+    template: int | None = None, rounds: int = 1, faces: str = "icosphere", level: int = 5, align: str = "rigid",
+    modes: int | None = None, policy: str = "parallel",
 ) -> Atlas:
     """Maps meshes, registers them, samples them at one icosphere, and computes mean and principal components.
 

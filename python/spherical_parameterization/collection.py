@@ -365,13 +365,8 @@ class _Cluster:
 
 
 def map(
-    files_or_bag: Iterable[Any],
-    function: Callable[[Any], Any],
-    client: Any = None,
-    store: str | os.PathLike[str] = "results.sqlite",
-    *,
-    batch_seconds: float = 0.5,
-    stall_seconds: float = 300,
+    files_or_bag: Iterable[Any], function: Callable[[Any], Any], client: Any = None,
+    store: str | os.PathLike[str] = "results.sqlite", *, batch_seconds: float = 0.5, stall_seconds: float = 300,
     progress: Callable[[int], object] | None = None,
 ) -> dict[str, int]:
     """Applies a function to every item of a collection, once, and stores what it returns.

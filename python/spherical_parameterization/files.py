@@ -188,14 +188,8 @@ def _by_meshio(name: str, triangulate: bool) -> tuple[Doubles, Integers]:
 
 
 def write_mesh(
-    path: Path,
-    points: Sphere,
-    triangles: npt.ArrayLike,
-    *,
-    sphere: bool = False,
-    ascii: bool = False,
-    like: Path | None = None,
-    data: Sequence[VertexColumn] = (),
+    path: Path, points: Sphere, triangles: npt.ArrayLike, *, sphere: bool = False, ascii: bool = False,
+    like: Path | None = None, data: Sequence[VertexColumn] = (),
 ) -> None:
     """Writes a mesh to a file. The file is complete, or does not exist.
 

@@ -248,21 +248,11 @@ def callback_of(progress: object) -> object:
 
 
 def parameterize(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    method: Method = Automatic(),
-    *,
-    weights: str | ClampedWeights | npt.ArrayLike = "conformal",
-    policy: str | _core.OpenCLDevice = "parallel",
-    fixed: Fixed | None = None,
-    density: npt.ArrayLike | None = None,
-    start: Sphere | None = None,
-    accuracy: float | None = None,
-    iterations: int | None = None,
-    maximum_running_time: float = float("inf"),
-    progress: object = None,
-    verbose: bool = False,
-    warn: bool = True,
+    points: npt.ArrayLike, triangles: npt.ArrayLike, method: Method = Automatic(), *,
+    weights: str | ClampedWeights | npt.ArrayLike = "conformal", policy: str | _core.OpenCLDevice = "parallel",
+    fixed: Fixed | None = None, density: npt.ArrayLike | None = None, start: Sphere | None = None,
+    accuracy: float | None = None, iterations: int | None = None, maximum_running_time: float = float("inf"),
+    progress: object = None, verbose: bool = False, warn: bool = True,
 ) -> Result:
     """Maps a closed triangle mesh of genus 0 to the unit sphere. Exact predicates certify the map.
 
@@ -373,19 +363,9 @@ def _mapped(
     elif not isinstance(policy, _core.OpenCLDevice):
         raise wrong_type("policy", "'parallel', 'sequential', 'opencl' or an OpenCLDevice", policy)
     fields, has_map, was_ctrl_c = _core.parameterize(
-        points,
-        triangles,
-        method,
-        _weights(weights, triangles),
-        opencl_device() if policy == "opencl" else policy,
-        is_fixed,
-        None if density is None else _density(density, len(points), len(triangles)),
-        sphere,
-        accuracy,
-        iterations,
-        maximum_running_time,
-        verbose,
-        callback_of(progress),
+        points, triangles, method, _weights(weights, triangles), opencl_device() if policy == "opencl" else policy,
+        is_fixed, None if density is None else _density(density, len(points), len(triangles)), sphere,
+        accuracy, iterations, maximum_running_time, verbose, callback_of(progress),
     )
     error = ErrorCode(fields.pop("error"))
     attempts = tuple(Attempt(a[0], ErrorCode(a[1]), a[2], Seconds(*a[3]), a[4]) for a in fields.pop("attempts"))

@@ -38,15 +38,9 @@ class Prepared(OneLine):
 
 
 def prepare(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    *,
-    harmless: bool = False,
-    components: str = "largest",
-    fill_holes: bool = True,
-    cut_handles: bool = True,
-    merge_distance: float = 0.0,
-    wrap: bool | tuple[float | None, float | None] = False,
+    points: npt.ArrayLike, triangles: npt.ArrayLike, *,
+    harmless: bool = False, components: str = "largest", fill_holes: bool = True, cut_handles: bool = True,
+    merge_distance: float = 0.0, wrap: bool | tuple[float | None, float | None] = False,
     maximum_running_time: float = float("inf"),
 ) -> Prepared:
     """Repairs a mesh so that it is one closed surface of genus 0: merges points at the same position, orients faces, cuts

@@ -58,26 +58,12 @@ def _features(
 
 
 def register_maps(
-    points: npt.ArrayLike,
-    triangles: npt.ArrayLike,
-    sphere: Sphere,
-    other_points: npt.ArrayLike,
-    other_triangles: npt.ArrayLike,
-    other_sphere: Sphere,
-    *,
-    motion: str = "deformation",
-    curvature_weight: float = 20,
-    stretch_weight: float = 0,
-    isometry_weight: float = 1,
-    position_weight: float = 0,
-    features: npt.ArrayLike | None = None,
-    other_features: npt.ArrayLike | None = None,
-    feature_weight: npt.ArrayLike = 20,
-    landmarks: npt.ArrayLike | None = None,
-    landmark_weight: float = 300,
-    policy: str = "parallel",
-    maximum_running_time: float = float("inf"),
-    progress: object = None,
+    points: npt.ArrayLike, triangles: npt.ArrayLike, sphere: Sphere,
+    other_points: npt.ArrayLike, other_triangles: npt.ArrayLike, other_sphere: Sphere, *, motion: str = "deformation",
+    curvature_weight: float = 20, stretch_weight: float = 0, isometry_weight: float = 1, position_weight: float = 0,
+    features: npt.ArrayLike | None = None, other_features: npt.ArrayLike | None = None,
+    feature_weight: npt.ArrayLike = 20, landmarks: npt.ArrayLike | None = None, landmark_weight: float = 300,
+    policy: str = "parallel", maximum_running_time: float = float("inf"), progress: object = None,
 ) -> RegisteredMap:
     """Moves the map of a mesh on the sphere so that it corresponds to the map of another mesh.
 
@@ -146,23 +132,11 @@ def register_maps(
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
     was_ctrl_c, registered, is_complete, start, margin, difference, trust, rotation, *figures = _core.register_maps(
-        a,
-        index_triples(triangles),
-        sphere_vectors("sphere", sphere, len(a)),
-        b,
-        index_triples(other_triangles, "other_triangles"),
-        sphere_vectors("other_sphere", other_sphere, len(b)),
-        motion,
-        curvature_weight,
-        stretch_weight,
-        isometry_weight,
-        position_weight,
-        _features(features, other_features, feature_weight, (len(a), len(b))),
-        landmark_weight,
-        pairs.tolist(),
-        policy,
-        maximum_running_time,
-        callback_of(progress),
+        a, index_triples(triangles), sphere_vectors("sphere", sphere, len(a)),
+        b, index_triples(other_triangles, "other_triangles"), sphere_vectors("other_sphere", other_sphere, len(b)),
+        motion, curvature_weight, stretch_weight, isometry_weight, position_weight,
+        _features(features, other_features, feature_weight, (len(a), len(b))), landmark_weight, pairs.tolist(),
+        policy, maximum_running_time, callback_of(progress),
     )
     if was_ctrl_c:
         raise KeyboardInterrupt

@@ -318,16 +318,8 @@ def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
 
 
 def harmonics(
-    triangles: npt.ArrayLike,
-    sphere: Sphere,
-    values: npt.ArrayLike,
-    degree: int,
-    *,
-    fit: str = "least-squares",
-    weights: str = "sphere-area",
-    points: npt.ArrayLike | None = None,
-    accuracy: float = 1e-10,
-    iterations: int = 500,
+    triangles: npt.ArrayLike, sphere: Sphere, values: npt.ArrayLike, degree: int, *, fit: str = "least-squares",
+    weights: str = "sphere-area", points: npt.ArrayLike | None = None, accuracy: float = 1e-10, iterations: int = 500,
     policy: str = "parallel",
 ) -> Harmonics:
     """Expands data at the vertices in spherical harmonics. With the points of a mesh as data, this is SPHARM.
@@ -381,15 +373,7 @@ def harmonics(
         raise ValueError('weights="surface-area" needs points')
     table = np.ascontiguousarray(data.reshape(len(data), -1))
     coefficients, has_converged, count = _core.harmonic_analysis(
-        index_triples(triangles),
-        images,
-        table,
-        degree,
-        fit,
-        weights,
-        None if points is None else vectors("points", points, len(images)),
-        accuracy,
-        iterations,
-        policy,
+        index_triples(triangles), images, table, degree, fit, weights,
+        None if points is None else vectors("points", points, len(images)), accuracy, iterations, policy,
     )
     return Harmonics(coefficients.reshape((len(coefficients), *data.shape[1:])), has_converged, count)

@@ -101,14 +101,8 @@ def _groups(groups: int | None, shapes: Doubles) -> int:
 
 
 def align_shapes(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    rotate: bool = True,
-    scale: bool = False,
-    accuracy: float = 1e-10,
-    iterations: int = 1000,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, rotate: bool = True, scale: bool = False,
+    accuracy: float = 1e-10, iterations: int = 1000, policy: str = "parallel",
 ) -> ShapeSet:
     """Generalized Procrustes alignment: moves shapes so that they are closest to their mean.
 
@@ -142,22 +136,16 @@ def align_shapes(
 
 
 def shape_statistics(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    modes: int | None = None,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, modes: int | None = None, policy: str = "parallel",
 ) -> ShapeStatistics:
     """Mean and principal components of shapes. Call `align_shapes()` first.
 
     Parameters
     ----------
-    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-    weights : array_like (m,) of float
-        Weights of the vertices. Default: equal.
+    shapes, weights, policy
+        As for `align_shapes()`.
     modes : int
         Maximum number of modes. Default: all modes above rounding errors, n - 1 or fewer.
-    policy : {"parallel", "sequential"}
 
     Returns
     -------
@@ -172,23 +160,16 @@ def shape_statistics(
 
 
 def left_out_errors(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    groups: int | None = None,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, groups: int | None = None, policy: str = "parallel",
 ) -> Doubles:
     """Leave-out errors: every shape is left out, and reconstructed from the modes of the others.
 
     Parameters
     ----------
-    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-        Aligned shapes.
-    weights : array_like (m,) of float
-        Weights of the vertices. Default: equal.
+    shapes, weights, policy
+        As for `align_shapes()`, which should have aligned the shapes.
     groups : int
         Number of groups in which shapes are left out, 2 to n. Default: one by one.
-    policy : {"parallel", "sequential"}
 
     Returns
     -------
@@ -211,29 +192,21 @@ class ModelQuality(OneLine):
 
 
 def model_quality(
-    shapes: Shapes,
-    *,
-    weights: npt.ArrayLike | None = None,
-    groups: int | None = None,
-    samples: int = 1000,
-    seed: int = 1,
-    policy: str = "parallel",
+    shapes: Shapes, *, weights: npt.ArrayLike | None = None, groups: int | None = None, samples: int = 1000,
+    seed: int = 1, policy: str = "parallel",
 ) -> ModelQuality:
     """Compactness, generalization and specificity of shapes as a model (Davies 2002; Styner et al. 2003).
 
     Parameters
     ----------
-    shapes : array_like (n, m, 3) of float, or sequence of n Harmonics
-        Aligned shapes.
-    weights : array_like (m,) of float
-        Weights of the vertices. Default: equal.
+    shapes, weights, policy
+        As for `align_shapes()`, which should have aligned the shapes.
     groups : int
         As for `left_out_errors()`.
     samples : int
         Number of random shapes, 2 or more. A random shape is the mean plus modes with normally distributed scores.
     seed : int
         Seed of the random numbers.
-    policy : {"parallel", "sequential"}
 
     Returns
     -------

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // What is done with a map: certificate, distortion, segments, textures, the inverse, shape search.
 
-#include "watch.h"
+#include "arrays.h"
 
 #include <CGAL/Spherical_parameterization/align_maps.h>
 #include <CGAL/Spherical_parameterization/distortion_summary.h>

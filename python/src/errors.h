@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // Exceptions of C++ as those of Python.
 
 #pragma once
 
+#include "arrays.h"
+
 #include "system/refusal.h"
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/assertions.h>
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
 #include <CGAL/Spherical_parameterization/values/OpenCL_error.h>
 #endif
 
-#include <pybind11/pybind11.h>
-
 #include <exception>
 #include <utility>
-
-namespace py = pybind11;
-namespace SP = CGAL::Spherical_parameterization;
 
 /// An exception of errors.py.
 template <class... Arguments>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // Mesh files and stores of results, by the readers and writers of the tool.
 
 #include "arrays.h"

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // The module spherical_parameterization._core: parameterize(), devices, errors. analysis.cpp has what is done with a
 // map.
 
 #include "errors.h"
-#include "watch.h"
 
-#include "system/stopwatch.h"
+#include "input/any_weights.h"
 
-#include <CGAL/Spherical_parameterization/edge_weights.h>
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/version.h>
 
@@ -40,16 +36,6 @@ struct Sphere_map {
   }
 };
 
-/// Any of the weights of edges as one map, so that there is one parameterize() per policy and method.
-typedef boost::function_property_map<std::function<double(Mesh::Edge_index)>, Mesh::Edge_index, double> Weight_map;
-typedef std::variant<SP::Conformal_weights, Weight_map> Weights;
-
-template <class Map>
-Weights function_of(const Map& weights)
-{
-  return Weight_map([weights](Mesh::Edge_index e) { return get(weights, e); });
-}
-
 /// The parts of the object `weights` that are needed without the interpreter's lock.
 struct Weight_settings {
   std::string name;
@@ -69,17 +55,11 @@ struct Weight_settings {
     }
   }
 
-  Weights weights(const Mesh& mesh) const
+  tool::Any_weights weights(const Mesh& mesh) const
   {
     if(array.size() > 0) // one number per halfedge of an array (m, 3): column k is the edge from corner k to the next
-      return function_of(Array_map<Mesh::Edge_index, const double>(array.data()));
-    if(name == "barycentric")
-      return function_of(SP::barycentric_weights(mesh));
-    if(name == "mean-value")
-      return function_of(SP::mean_value_weights(mesh));
-    if(name == "clamped")
-      return function_of(SP::clamped_weights(mesh, minimum_angle, maximum_angle));
-    return SP::Conformal_weights();
+      return tool::weight_map(Array_map<Mesh::Edge_index, const double>(array.data()));
+    return tool::weights_of(mesh, name, minimum_angle, maximum_angle);
   }
 };
 
@@ -172,7 +152,7 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
     return std::visit(
       [&](const auto& chosen_policy, const auto& chosen_method) {
         typedef std::decay_t<decltype(chosen_method)> Method;
-        const tool::Stopwatch reading;
+        const SP::internal::Stopwatch reading;
         const Mesh mesh(chosen_policy, positions, rows);
         const double seconds_reading = reading.seconds();
         const auto parameters = CGAL::parameters::edge_weight_map(weights.weights(mesh))

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // The module spherical_parameterization._preparation. It is under the GPL, as the packages of CGAL that mend meshes and
 // the page that shows them are, and a module by itself, so that the others are not.
 
 #include "errors.h"
-#include "watch.h"
 
 #include "input/mesh.h"
 #include "preparation/prepare.h"
 #include "runner/page.h"
-#include "system/stopwatch.h"
+
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 
 #include <nlohmann/json.hpp>
 
@@ -46,7 +44,7 @@ py::tuple prepare(const Doubles& points, const py::array_t<std::int32_t>& triang
   nlohmann::ordered_json report;
   try {
     const py::gil_scoped_release no_lock;
-    const tool::Stopwatch stopwatch;
+    const SP::internal::Stopwatch stopwatch;
     const preparation::Preparation done = preparation::prepare(soup, settings, watched);
     result = preparation::joined(done.parts);
     const double diagonal = preparation::diagonal(soup);

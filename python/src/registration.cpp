@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // Registration of two maps.
 
-#include "watch.h"
+#include "arrays.h"
 
 #include <CGAL/Spherical_parameterization/moebius_centring.h>
 #include <CGAL/Spherical_parameterization/register_maps.h>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // Eigenfunctions of the Laplacian.
 
-#include "watch.h"
+#include "arrays.h"
 
 #include <CGAL/Spherical_parameterization/laplacian_eigenpairs.h>
 

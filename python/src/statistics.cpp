@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // Statistics of shapes. A set of n shapes is an array (n, m, 3): of vertices, or of coefficients of harmonics.
 
-#include "watch.h"
+#include "arrays.h"
 
 #include <CGAL/Spherical_parameterization/shape_atlas.h>
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "collections/mesh_collection.h"
 
@@ -9,8 +8,7 @@
 #include "input/mesh_format.h"
 #include "output/atomic_file.h"
 #include "system/interruption.h"
-#include "system/progress_bar.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #pragma once
 
-#include "options/usage.h"
+#include "options/command_line.h"
 #include "system/refusal.h"
 
 #include <cstdint>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "collections/signatures.h"
 
@@ -10,8 +9,8 @@
 #include "output/atomic_file.h"
 #include "output/text_writer.h"
 #include "system/interruption.h"
-#include "system/progress_bar.h"
 #include "system/refusal.h"
+#include "system/terminal.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "input/compression.h"
 
@@ -137,6 +136,19 @@ bool unfold(const std::string&, std::string_view bytes, Compression compression,
   }
   return true;
 }
+
+/// Takes all that it gets: what is left when a disk is full would come again and again. The stream remembers the
+/// failure.
+struct Sink : io::sink {
+  std::ostream* out;
+
+  explicit Sink(std::ostream& stream) : out(&stream) {}
+  std::streamsize write(const char* bytes, std::streamsize size)
+  {
+    out->write(bytes, size);
+    return size;
+  }
+};
 #else
 template <class Take>
 bool unfold(const std::string& file, std::string_view, Compression, const Take&)
@@ -226,23 +238,6 @@ std::string decompressed(const std::string& file, std::string bytes)
 }
 
 #ifdef SPHERICAL_PARAMETERIZATION_WITH_COMPRESSION
-namespace {
-
-/// Takes all that it gets: what is left when a disk is full would come again and again. The stream remembers the
-/// failure.
-struct Sink : io::sink {
-  std::ostream* out;
-
-  explicit Sink(std::ostream& stream) : out(&stream) {}
-  std::streamsize write(const char* bytes, std::streamsize size)
-  {
-    out->write(bytes, size);
-    return size;
-  }
-};
-
-} // namespace
-
 std::unique_ptr<std::ostream> compressing_stream(std::ostream& out, Compression compression, const std::string&)
 {
   auto stream = std::make_unique<io::filtering_ostream>();

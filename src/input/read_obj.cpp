@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
@@ -91,8 +90,7 @@ private:
       has_relative_index_ = has_relative_index_ || *index < 0;
       const std::int64_t number = *index > 0 ? *index : std::int64_t(soup_.points.size()) + 1 + *index;
       if(number < 1 || number > std::int64_t(largest_count))
-        refuse("the vertex " + in_quotes(token) + ", which does not exist",
-               "the file is damaged or cut short; export it again");
+        refuse("the vertex " + in_quotes(token) + ", which does not exist", damaged_or_cut_short);
       if(std::size_t(number) > largest_number_) {
         largest_number_ = std::size_t(number);
         face_of_largest_number_ = soup_.faces;
@@ -100,8 +98,7 @@ private:
       corners_.push_back(static_cast<int>(number - 1));
     }
     if(corners_.size() < 3)
-      refuse("only " + std::to_string(corners_.size()) + " vertices",
-             "the file is damaged or cut short; export it again");
+      refuse("only " + std::to_string(corners_.size()) + " vertices", damaged_or_cut_short);
     soup_.add_face(corners_);
   }
 
@@ -117,7 +114,7 @@ private:
       refuse_file(file_,
                   "face " + std::to_string(face_of_largest_number_) + " has the vertex number " +
                     std::to_string(largest_number_) + ", but there are only " + vertices,
-                  "the file is damaged or cut short; export it again");
+                  damaged_or_cut_short);
   }
 
   std::string file_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "input/binary.h"
 #include "input/mesh_readers.h"
@@ -160,7 +159,7 @@ private:
     const std::size_t bytes = lines_.number_of_bytes();
     if(6 * vertices_ + 8 * faces_ > bytes + 1)
       lines_.refuse("the header announces " + promise() + ", more than " + std::to_string(bytes) + " bytes can hold",
-                    "the file is damaged or cut short; export it again");
+                    damaged_or_cut_short);
   }
 
   std::size_t count(std::string_view token) const

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "input/binary.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 
-#include <CGAL/Spherical_parameterization/for_each_index.h>
+#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <sstream>
@@ -289,16 +287,13 @@ private:
     return are_good;
   }
 
-  /// Calls read(row) for all rows below `count` on all cores. Returns whether all of these calls returned true.
+  /// Whether read(row) returns true for all rows below `count`, for which it is called on all cores.
   template <class Read>
   static bool for_all_rows(std::size_t count, Read read)
   {
-    std::atomic<bool> are_good{true};
-    SP::for_each_index(CGAL::Parallel_tag(), static_cast<int>(count), [&](int row) {
-      if(are_good && !read(static_cast<std::size_t>(row)))
-        are_good = false;
-    });
-    return are_good;
+    const int rows = static_cast<int>(count);
+    const SP::internal::Host_loop on_all_cores(true);
+    return SP::internal::first_index(on_all_cores, rows, [&](int row) { return !read(std::size_t(row)); }) == rows;
   }
 
   void read_row(const Element& element, std::size_t row)

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
-//
 // The files of VTK, as of https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html: the older ones of text
 // or bytes below lines of words (.vtk), and those of XML (.vtp, .vtu).
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "input/text_lines.h"
 
@@ -177,7 +176,7 @@ std::array<double, 3> Text_lines::point(const char* what, std::size_t index, std
       continue;
     const std::string name = what + (" " + std::to_string(index));
     if(coordinate.empty())
-      refuse(name + " has fewer than three coordinates", "the file is damaged or cut short; export it again");
+      refuse(name + " has fewer than three coordinates", damaged_or_cut_short);
     if(number == Number::NONE)
       refuse(name + " has the coordinate " + in_quotes(coordinate) + ", which is not a number", damaged);
     if(!non_finite)

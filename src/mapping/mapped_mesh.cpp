@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "mapping/mapped_mesh.h"
 
 #include "output/write_mesh.h"
-#include "system/progress_bar.h"
+#include "preparation/points.h"
 #include "system/refusal.h"
-#include "system/stopwatch.h"
+#include "system/terminal.h"
 
 #include <CGAL/Spherical_parameterization/measure_distortion.h>
 
@@ -138,16 +137,12 @@ void read_data(const Mapping_options& options, std::size_t number_of_vertices, V
 
 bool is_turned_inwards(const Mesh& mesh)
 {
+  const std::vector<Point>& points = mesh.points();
+  const auto corner = [&points](int v) { return minus(points[place(v)], points[0]); };
   double volume = 0; // six times that of the pyramids over the faces, from the first vertex on
-  const auto corner = [&mesh, &origin = mesh.points()[0]](int v) {
-    const Point& p = mesh.points()[static_cast<std::size_t>(v)];
-    return Point{p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]};
-  };
   for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const auto& [i, j, k] = mesh.triangle(f);
-    const Point a = corner(i), b = corner(j), c = corner(k);
-    volume +=
-      a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    volume += dot(corner(i), cross(corner(j), corner(k)));
   }
   return volume < 0;
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #pragma once
 
@@ -10,6 +9,7 @@
 #include "options/mapping_options.h"
 #include "system/interruption.h"
 
+#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/values/Result.h>
 
 #include <algorithm>
@@ -21,6 +21,8 @@
 #include <vector>
 
 namespace tool {
+
+using SP::internal::Stopwatch;
 
 /// The mesh that a command works on, and its certified spherical map, once `read_input()` and `map_input()` have not
 /// refused it.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "mapping/registered_pair.h"
 
@@ -7,9 +6,8 @@
 #include "input/files.h"
 #include "input/text_lines.h"
 #include "system/interruption.h"
-#include "system/progress_bar.h"
 #include "system/refusal.h"
-#include "system/stopwatch.h"
+#include "system/terminal.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 #include <CGAL/Spherical_parameterization/for_each_index.h>

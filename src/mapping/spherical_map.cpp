@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "mapping/spherical_map.h"
 
-#include <CGAL/Spherical_parameterization/edge_weights.h>
+#include "input/any_weights.h"
+
 #include <CGAL/Spherical_parameterization/parameterize.h>
 
 #include <map>
@@ -14,30 +14,6 @@
 #include <utility>
 
 namespace tool {
-namespace {
-
-/// Any of the weights, so that reading is compiled once per policy and method only.
-using Weight_map = boost::function_property_map<std::function<double(Mesh::Edge_index)>, Mesh::Edge_index, double>;
-using Weights = std::variant<SP::Conformal_weights, Weight_map>;
-
-template <class Map>
-Weights function_of(const Map& weights)
-{
-  return Weight_map([weights](Mesh::Edge_index e) { return get(weights, e); });
-}
-
-Weights weights_of(const Mesh& mesh, const Mapping_options& options)
-{
-  if(options.weights == "barycentric")
-    return function_of(SP::barycentric_weights(mesh));
-  if(options.weights == "clamped")
-    return function_of(SP::clamped_weights(mesh, options.min_angle, options.max_angle));
-  if(options.weights == "mean-value")
-    return function_of(SP::mean_value_weights(mesh));
-  return SP::Conformal_weights();
-}
-
-} // namespace
 
 SP::Any_policy make_policy(const Mapping_options& options)
 {
@@ -111,7 +87,7 @@ SP::Result map_to_sphere(const Mesh& mesh, Sphere& sphere, const Mapping_options
         sphere.resize(n);
       return sphere[static_cast<std::size_t>(v.idx())];
     });
-  const Weights weights = weights_of(mesh, options);
+  const Any_weights weights = weights_of(mesh, options.weights, options.min_angle, options.max_angle);
 
   const auto densities = [&data](auto descriptor, std::size_t number) {
     return data.density.size() == number ? std::optional(as_map<decltype(descriptor)>(data.density)) : std::nullopt;

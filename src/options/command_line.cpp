@@ -1,16 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "options/command_line.h"
 
-#include "options/usage.h"
+#include "input/compression.h"
+#include "input/files.h"
+#include "input/mesh_format.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <filesystem>
+#include <map>
 #include <sstream>
+#include <system_error>
+#include <unordered_map>
+
+#include <sys/stat.h>
 
 namespace tool {
 namespace {
+
+/// Number of letters to insert, remove or replace, and of neighbours to swap (optimal string alignment distance).
+std::size_t edit_distance(const std::string& a, const std::string& b)
+{
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for(std::size_t i = 0; i <= a.size(); ++i)
+    for(std::size_t j = 0; j <= b.size(); ++j) {
+      if(i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if(i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+namespace fs = std::filesystem;
+
+/// Files by what they are, and by their places for those that do not exist.
+class Named_files {
+public:
+  /// The option that has named the file before; empty if there is none.
+  std::string add(const File_option& named)
+  {
+    const auto& [option, file] = named;
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(file, error);
+    const auto [same_place, is_new_place] = by_place_.emplace(error ? file : place.string(), option);
+    struct stat status;
+    if(stat(file.c_str(), &status) == 0)
+      if(const auto [same, is_new] = by_node_.emplace(std::pair(status.st_dev, status.st_ino), option); !is_new)
+        return same->second;
+    return is_new_place ? "" : same_place->second;
+  }
+
+private:
+  std::unordered_map<std::string, std::string> by_place_;
+  std::map<std::pair<dev_t, ino_t>, std::string> by_node_;
+};
 
 constexpr int many = CLI::detail::expected_max_vector_size;
 
@@ -52,6 +101,58 @@ std::vector<std::string> option_names(const CLI::App& app)
 }
 
 } // namespace
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& names)
+{
+  std::string best;
+  std::size_t least = std::min<std::size_t>(word.size() / 3, 3) + 1; // more changes would make it another word
+  for(const std::string& name : names)
+    if(const std::size_t distance = edit_distance(word, name); distance < least) {
+      least = distance;
+      best = name;
+    }
+  return best.empty() ? "" : "; did you mean '" + best + "'?";
+}
+
+void require(bool condition, const std::string& option, const std::string& rule)
+{
+  if(!condition)
+    throw CLI::ValidationError(option, rule);
+}
+
+void require_extension(const std::string& option, const std::string& file, const std::vector<std::string>& extensions)
+{
+  const auto found = std::find(extensions.begin(), extensions.end(), lower_case_extension(without_compression(file)));
+  require(found != extensions.end(), option, "'" + file + "' must have the extension " + join(extensions, " or "));
+}
+
+void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs)
+{
+  std::string reader; // of the standard input
+  for(const auto& [option, file] : inputs)
+    if(file == standard_stream) {
+      require(reader.empty(), option, "reads the standard input, as " + reader + " does");
+      reader = option;
+    }
+  Named_files files;
+  for(const File_option& input : inputs)
+    files.add(input);
+  for(const auto& [option, file] : outputs) {
+    if(file.empty())
+      continue;
+    if(file == standard_stream) { // which is another one for inputs
+      for(const auto& [other_option, other_file] : outputs)
+        require(other_file != standard_stream || other_option == option, option, "is the same file as " + other_option);
+      continue;
+    }
+    std::error_code none;
+    const fs::file_type type = fs::status(file, none).type();
+    require(type == fs::file_type::not_found || type == fs::file_type::regular || type == fs::file_type::none, option,
+            "'" + file + "' exists and is not a regular file"); // none: not to be known, as where access is forbidden
+    const std::string other = files.add({option, file});
+    require(other.empty(), option, "is the same file as " + other);
+  }
+}
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app)
 {

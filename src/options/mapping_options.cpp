@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "options/mapping_options.h"
 
@@ -17,32 +16,7 @@ std::string defaults(Number balanced, Number saddle_point, Number isometric)
   return text.str();
 }
 
-/// Those of this build.
-const std::vector<std::string>& policy_names()
-{
-  static const std::vector<std::string> names = {
-    "sequential",
-#ifdef CGAL_LINKED_WITH_TBB
-    "tbb",
-#endif
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
-    "opencl",
-#endif
-  };
-  return names;
-}
-
 } // namespace
-
-const std::string& default_policy_name()
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  static const std::string name = "tbb";
-#else
-  static const std::string name = "sequential";
-#endif
-  return name;
-}
 
 void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
 {
@@ -113,7 +87,15 @@ void add_mapping_options(Options& all, Mapping_options& o, bool are_for_one)
   all("--policy", o.policy,
       "sequential (one core), tbb (all cores), opencl (a device). The map is the same. Default for several IN at the "
       "same time: sequential")
-    .of(policy_names());
+    .of({
+      "sequential",
+#ifdef CGAL_LINKED_WITH_TBB
+      "tbb",
+#endif
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
+      "opencl",
+#endif
+    });
   all("--device", o.device,
       "OpenCL: number of the device in the list of the command 'devices', or part of its name "
       "[$CGAL_SPHERICAL_PARAMETERIZATION_DEVICE, else the first GPU]")

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #pragma once
 
-#include "options/option.h"
-#include "options/usage.h"
+#include "options/command_line.h"
 
 #include <CGAL/Spherical_parameterization/values/methods.h>
 
@@ -15,8 +13,12 @@
 
 namespace tool {
 
-/// The fastest one that every machine can run: results do not depend on it.
-const std::string& default_policy_name();
+/// The fastest policy that every machine can run: results do not depend on it.
+#ifdef CGAL_LINKED_WITH_TBB
+inline const std::string default_policy = "tbb";
+#else
+inline const std::string default_policy = "sequential";
+#endif
 
 /// What is done to a mesh before it is mapped.
 enum class Prepare {
@@ -51,7 +53,7 @@ struct Mapping_options {
   std::optional<double> landmark_weight; ///< none: the fixed vertices are kept exactly
   std::string density;
 
-  std::string policy = default_policy_name();
+  std::string policy = default_policy;
   std::string device;
   std::string precision;
   std::optional<double> accuracy;

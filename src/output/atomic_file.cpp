@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "output/atomic_file.h"
 
@@ -7,7 +6,7 @@
 #include "input/compression.h"
 #include "system/interruption.h"
 #include "system/refusal.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <cerrno>
 #include <filesystem>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
-#include "output/ply.h"
+#include "output/write_mesh.h"
 
 #include "input/binary.h"
 #include "output/text_writer.h"

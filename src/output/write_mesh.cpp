@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "output/write_mesh.h"
 
-#include "output/ply.h"
 #include "output/quantile.h"
 #include "output/text_writer.h"
 #include "system/refusal.h"

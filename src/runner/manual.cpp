@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
 #include "input/files.h"
-#include "options/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/replace.hpp>

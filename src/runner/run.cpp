@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
 #include "output/write_vertex_data.h"
 #include "system/interruption.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 namespace tool {
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
 #include "input/files.h"
 #include "input/mesh_format.h"
-#include "options/command_line.h"
 #include "output/write_vertex_data.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <CGAL/version.h>
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #pragma once
 
 #include "collections/mesh_collection.h"
 #include "mapping/mapped_mesh.h"
 #include "mapping/report.h"
+#include "options/command_line.h"
 #include "options/mapping_options.h"
-#include "options/option.h"
-#include "options/usage.h"
 #include "output/atomic_file.h"
 #include "output/write_mesh.h"
-#include "system/stopwatch.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
@@ -51,12 +50,6 @@ const std::set<std::string> not_of_shapes = {"--template", "--rounds", "--align"
 
 using SP::Atlas_mesh;
 
-/// A mesh of an atlas, sampled at the directions.
-struct Atlas_shape {
-  std::string name; ///< of its outputs
-  std::vector<Point> points;
-};
-
 const CGAL::Parallel_if_available_tag all_cores;
 
 /// Shapes are left out one by one as long as that takes no time: n groups cost n^4.
@@ -69,16 +62,16 @@ constexpr int random_shapes = 1000;
 /// Meshes of modes show so many standard deviations.
 constexpr double deviations_shown = 2;
 
-void write_scores(std::ostream& out, const std::vector<Atlas_shape>& shapes,
-                  const SP::Shape_statistics<std::vector<Point>>& statistics)
+void write_scores(std::ostream& out, const std::vector<std::string>& names,
+                  const SP::Shape_statistics<SP::Shape_points>& statistics)
 {
   Text_writer write(out);
   write("name");
   for(std::size_t k = 1; k <= statistics.modes.size(); ++k)
     write(",score_", k);
   write('\n');
-  for(std::size_t i = 0; i < shapes.size(); ++i) {
-    write(csv_quoted(shapes[i].name));
+  for(std::size_t i = 0; i < names.size(); ++i) {
+    write(csv_quoted(names[i]));
     for(const double score : statistics.scores[i])
       write(',', score);
     write('\n');
@@ -136,7 +129,7 @@ public:
   {
     map_meshes();
     const Mapped_file first = {template_.mesh, sphere_of(template_)};
-    std::vector<Atlas_shape> shapes;
+    std::vector<SP::Shape_points> shapes;
     Mapped_file to = first;
     for(int round = 1; round <= options_.rounds; ++round) {
       if(round > 1)
@@ -170,19 +163,33 @@ public:
 private:
   std::string settings(const std::set<std::string>& left_out = {}) const { return "atlas" + run_.settings(left_out); }
   std::string sphere_of(const Item& item) const { return folder_ + "/spheres/" + item.name + ".ply"; }
-  std::string shape_of(int round, const Item& item) const
-  {
-    return folder_ + "/registered/" + std::to_string(round) + '/' + item.name + ".ply";
-  }
+  std::string folder_of(int round) const { return folder_ + "/registered/" + std::to_string(round); }
 
-  /// Runs a step on meshes, and notes what was said of them.
-  void run_step(Collection collection)
+  using Files = std::vector<std::string>;
+
+  /// Makes a file in the folder of each item, of the files `inputs(item)`, and notes what was said of it. It is opened
+  /// and written by `make(item, file, files)`, which returns the line.
+  void run_step(const std::string& folder, const std::set<std::string>& left_out, const std::vector<Item>& items,
+                const std::function<Files(const Item&)>& inputs,
+                const std::function<std::string(const Item&, const std::string&, Atomic_files&)>& make)
   {
-    collection.threads = run_.meshes.number_of_jobs();
-    collection.tell = [this](const Item& item, const std::string& status, const std::string& line) {
+    const auto job = [&](const Item& item) {
+      const std::string file = folder + '/' + item.name + ".ply";
+      return Job{inputs(item), {file}, [&make, item, file] {
+                   Outcome outcome;
+                   outcome.refusal = guarded(item.mesh, [&] {
+                     Atomic_files files;
+                     outcome.line = make(item, file, files);
+                     files.commit(item.mesh);
+                   });
+                   return outcome;
+                 }};
+    };
+    const auto tell = [this](const Item& item, const std::string& status, const std::string& line) {
       said_[item.name] = {status, line};
     };
-    exit_code_ = std::max(exit_code_, run_collection(collection));
+    const int threads = run_.meshes.number_of_jobs();
+    exit_code_ = std::max(exit_code_, run_collection({folder, settings(left_out), items, job, threads, tell}));
   }
 
   /// In the step that was run last. A file may also be one of an earlier run.
@@ -202,29 +209,20 @@ private:
       template_.name = "template of the atlas";
       all.push_back(template_);
     }
-    const auto map = [this](const Item& item) {
-      Outcome outcome;
-      outcome.refusal = guarded(item.mesh, [&] {
+    run_step(
+      folder_ + "/spheres", not_of_maps, all, [](const Item&) { return Files(); },
+      [this](const Item& item, const std::string& sphere, Atomic_files& files) {
         Mapping_options one = run_.options;
         one.input = item.mesh;
         Mapped_mesh input;
         read_input(one, input);
         check_orientation(item.mesh, input);
-        Atomic_files files;
-        std::ostream& file = files.open(sphere_of(item));
+        std::ostream& file = files.open(sphere);
         map_input(one, input);
         write_mesh(file, {}, input.mesh(), input.sphere, Surface::SPHERE);
-        files.commit(item.mesh);
-        outcome.line = std::to_string(input.mesh().number_of_vertices()) + " vertices, " + input.result.method +
-                       " map" + (was_mended(input.prepared) ? ", prepared" : "");
+        return std::to_string(input.mesh().number_of_vertices()) + " vertices, " + input.result.method + " map" +
+               (was_mended(input.prepared) ? ", prepared" : "");
       });
-      return outcome;
-    };
-    run_step({folder_ + "/spheres", settings(not_of_maps), all,
-              [&](const Item& item) {
-                return Job{{}, {sphere_of(item)}, [=] { return map(item); }};
-              },
-              0});
     for(const Item& item : items_)
       if(is_done(item)) {
         mapped_.push_back(item);
@@ -255,11 +253,13 @@ private:
       mesh_ = options_.faces == "icosphere" ? SP::icosphere_of_atlas(options_.level)
                                             : Atlas_mesh{target.mesh(), target.sphere};
     }
-    const auto work = [&](const Item& item) {
-      Outcome outcome;
-      outcome.refusal = guarded(item.mesh, [&] {
-        Atomic_files files;
-        std::ostream& file = files.open(shape_of(round, item));
+    run_step(
+      folder_of(round), not_of_shapes, mapped_,
+      [&](const Item& item) {
+        return Files{sphere_of(item), to.mesh, to.sphere, first.sphere};
+      },
+      [&](const Item& item, const std::string& shape, Atomic_files& files) {
+        std::ostream& file = files.open(shape);
         Mapped_mesh input;
         read_mapped(run_.options, {item.mesh, sphere_of(item)}, run_.options.prepare, input);
         std::ostringstream line;
@@ -279,26 +279,18 @@ private:
         write_mesh(file, {Mesh_format::PLY, options_.ascii}, mesh_->mesh,
                    SP::shape_at(CGAL::Sequential_tag(), SP::mapped_mesh(input.mesh(), as_map(input.sphere)), *mesh_),
                    Surface::SHAPE);
-        files.commit(item.mesh);
-        outcome.line = line.str();
+        return line.str();
       });
-      return outcome;
-    };
-    run_step({folder_ + "/registered/" + std::to_string(round), settings(not_of_shapes), mapped_,
-              [&](const Item& item) {
-                return Job{{sphere_of(item), to.mesh, to.sphere, first.sphere}, {shape_of(round, item)}, [&work, item] {
-                             return work(item);
-                           }};
-              },
-              0});
   }
 
-  std::vector<Atlas_shape> read_shapes(int round)
+  std::vector<SP::Shape_points> read_shapes(int round)
   {
-    std::vector<Atlas_shape> shapes;
+    std::vector<SP::Shape_points> shapes;
+    names_.clear();
     for(const Item& item : mapped_)
       if(is_done(item)) {
-        shapes.push_back({item.name, read_mesh(shape_of(round, item)).mesh.points()});
+        names_.push_back(item.name);
+        shapes.push_back(read_mesh(folder_of(round) + '/' + item.name + ".ply").mesh.points());
         stop_if_interrupted(folder_);
       }
     check_number(shapes.size(), "could be registered");
@@ -307,16 +299,13 @@ private:
 
   /// The mean of the shapes of the round before. Files that have these contents stay as they are, so that what was
   /// registered to them does, too.
-  Mapped_file write_template(int round, std::vector<Atlas_shape> shapes) const
+  Mapped_file write_template(int round, std::vector<SP::Shape_points> shapes) const
   {
-    std::vector<std::vector<Point>> points;
-    for(Atlas_shape& shape : shapes)
-      points.push_back(std::move(shape.points));
     const std::string name = folder_ + "/templates/" + std::to_string(round);
     Mapped_file file = {name + ".ply", name + "_sphere.ply"};
     Atomic_file::create_folder(folder_ + "/templates");
     const std::vector<Point> mean =
-      SP::mean_shape(all_cores, *mesh_, std::move(points), placement_of(options_), stopped_by_signals());
+      SP::mean_shape(all_cores, *mesh_, std::move(shapes), placement_of(options_), stopped_by_signals());
     for(const auto& [output, of_points, surface] :
         {std::tuple(file.mesh, mean, Surface::SHAPE), std::tuple(file.sphere, mesh_->directions, Surface::SPHERE)}) {
       std::ostringstream text;
@@ -334,12 +323,9 @@ private:
   /// `mean.ply`, `variance.ply`, `scores.csv`, `quality.csv`, of every mode the mean plus and minus two standard
   /// deviations, `modes/mode_K_plus.ply` and `_minus.ply`; and `report.json`, the first one: `report`, to which they
   /// are added. Returns what was found, in lines without the end of the last one, and the number of modes.
-  std::pair<std::string, std::size_t> write_statistics(std::vector<Atlas_shape> named, Json& report)
+  std::pair<std::string, std::size_t> write_statistics(std::vector<SP::Shape_points> shapes, Json& report)
   {
     const auto open = [this](const std::string& file) -> std::ostream& { return run_.open(folder_ + '/' + file); };
-    std::vector<std::vector<Point>> shapes;
-    for(Atlas_shape& shape : named)
-      shapes.push_back(std::move(shape.points));
     const auto [alignment, weights, statistics] =
       SP::atlas_statistics(all_cores, *mesh_, shapes, placement_of(options_), options_.modes, stopped_by_signals());
     const int groups = shapes.size() <= most_left_out_alone ? static_cast<int>(shapes.size()) : groups_beyond;
@@ -352,7 +338,7 @@ private:
     Json motions = Json::array();
     for(std::size_t i = 0; i < alignment.motions.size(); ++i) {
       const SP::Similarity& motion = alignment.motions[i];
-      motions.push_back({{"name", named[i].name},
+      motions.push_back({{"name", names_[i]},
                          {"scale", motion.scale},
                          {"rotation", motion.rotation},
                          {"translation", motion.translation}});
@@ -389,7 +375,7 @@ private:
         write_mesh(open("modes/mode_" + std::to_string(k + 1) + '_' + word + ".ply"), ply, mesh_->mesh,
                    SP::shape_of_scores(statistics, scores), Surface::SHAPE);
       }
-    write_scores(open("scores.csv"), named, statistics);
+    write_scores(open("scores.csv"), names_, statistics);
     write_quality(open("quality.csv"), quality);
     std::ostringstream text;
     text.precision(3);
@@ -411,6 +397,7 @@ private:
   Run& run_;
   const std::string folder_;
   std::vector<Item> items_, mapped_;
+  std::vector<std::string> names_; ///< of the shapes that have been read
   Item template_;
   std::optional<Atlas_mesh> mesh_;                                  ///< from the first round on
   std::map<std::string, std::pair<std::string, std::string>> said_; ///< by the name of the item: status, line

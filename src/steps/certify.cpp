@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
 #include "mapping/spherical_map.h"
 #include "system/interruption.h"
+#include "system/terminal.h"
 
 #include <CGAL/Spherical_parameterization/distortion_summary.h>
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
@@ -19,7 +18,7 @@ namespace {
 
 void print_policy(std::ostream& out, const std::string& name, const std::string& runs_on)
 {
-  out << name << (name == default_policy_name() ? " (default): " : ": ") << runs_on << '\n';
+  out << name << (name == default_policy ? " (default): " : ": ") << runs_on << '\n';
 }
 
 std::string tbb_threads()
@@ -32,9 +31,9 @@ std::string tbb_threads()
 #endif
 }
 
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
 void print_opencl_devices(std::ostream& out)
 {
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   using namespace CGAL::Spherical_parameterization;
   const std::vector<OpenCL_device_info> devices = opencl_devices();
   std::optional<std::size_t> default_device;
@@ -54,13 +53,10 @@ void print_opencl_devices(std::ostream& out)
   }
   if(!devices.empty() && !default_device)
     out << "  no default: " << why_none << '\n';
-}
 #else
-void print_opencl_devices(std::ostream& out)
-{
   print_policy(out, "opencl", "not available, this build has no OpenCL support");
-}
 #endif
+}
 
 void list_devices(Run& run)
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
@@ -8,7 +7,7 @@
 #include "input/mesh_readers.h"
 #include "preparation/prepare.h"
 #include "system/interruption.h"
-#include "system/standard_output.h"
+#include "system/terminal.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "runner/step.h"
 
 #include "collections/signatures.h"
 #include "input/mesh_readers.h"
 #include "mapping/registered_pair.h"
-#include "output/ply.h"
 #include "system/interruption.h"
 
 #include <algorithm>

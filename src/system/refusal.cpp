@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #include "system/refusal.h"
 
@@ -17,6 +16,10 @@ namespace tool {
 
 std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action)
 {
+  // Ctrl-C reaches the compiler of the kernels, too, and the library says in its own words that it was interrupted.
+  const auto unless_interrupted = [&input](const Refusal& refusal) {
+    return was_interrupted() ? interrupted(input) : refusal;
+  };
   try {
     action();
   } catch(const Refusal& refusal) {
@@ -24,25 +27,19 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
   }
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_WITH_OPENCL
   catch(const SP::OpenCL_error& error) {
-    if(was_interrupted()) // and so was the compiler of the kernels, which Ctrl-C reaches, too
-      return interrupted(input);
     const std::string& log = error.build_log();
     const std::string text = error.what(); // its lines from the second on are the log
-    return Refusal(opencl_error, input, log.empty() ? text : text.substr(0, text.find('\n')),
-                   error.code() == CL_DEVICE_NOT_FOUND ? "see the command 'devices'" : "", log);
+    return unless_interrupted({opencl_error, input, log.empty() ? text : text.substr(0, text.find('\n')),
+                               error.code() == CL_DEVICE_NOT_FOUND ? "see the command 'devices'" : "", log});
   }
 #endif
   catch(const std::bad_alloc&) {
     return Refusal(out_of_memory, input, "not enough memory", "simplify the mesh");
   } catch(const SP::Error& error) { // of no single mesh where no input is named
-    if(was_interrupted())
-      return interrupted(input);
-    return Refusal(error.code(), input.empty() ? "the meshes" : input, without_remedy(error.what(), error.remedy()),
-                   error.remedy());
+    return unless_interrupted({error.code(), input.empty() ? "the meshes" : input,
+                               without_remedy(error.what(), error.remedy()), error.remedy()});
   } catch(const std::exception& exception) {
-    if(was_interrupted()) // the library says so, too
-      return interrupted(input);
-    return Refusal(internal_error, input, exception.what(), "please report this");
+    return unless_interrupted({internal_error, input, exception.what(), "please report this"});
   }
   return std::nullopt;
 }

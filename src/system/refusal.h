@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
 #pragma once
 
@@ -78,6 +77,7 @@ inline const char* const bad_degree = "BAD_DEGREE";
 
 /// What to do about a file whose contents make no sense.
 inline const char* const damaged = "the file is damaged; export it again";
+inline const char* const damaged_or_cut_short = "the file is damaged or cut short; export it again";
 
 /// Throws the `Refusal` of a file that cannot be read.
 [[noreturn]] inline void refuse_file(const std::string& file, const std::string& wrong,

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Part of CGAL Spherical Parameterization.
 
-#include "system/progress_bar.h"
+#include "system/terminal.h"
 
-#include "system/standard_output.h"
+#include "system/refusal.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,13 +14,28 @@
 namespace tool {
 namespace {
 
+/// Takes everything, and keeps nothing.
+class Null_buffer : public std::streambuf {
+  int overflow(int c) override { return traits_type::not_eof(c); }
+  std::streamsize xsputn(const char*, std::streamsize size) override { return size; }
+};
+
+bool quiet = false;
+bool verbose = false;
+
+std::streambuf* standard_buffer()
+{
+  static std::streambuf* const buffer = std::cout.rdbuf(); // the first call is before any change
+  return buffer;
+}
+
 /// " [" and "] 100 %", and the last column, at which some terminals begin a new line.
 constexpr std::size_t other_columns = 10;
 
 std::size_t width_of_bar(std::size_t phase)
 {
   constexpr std::size_t smallest = 10, largest = 60, columns_if_unknown = 80;
-  if(is_quiet() || isatty(STDERR_FILENO) != 1)
+  if(quiet || isatty(STDERR_FILENO) != 1)
     return 0;
   winsize size = {};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -33,6 +47,40 @@ std::size_t width_of_bar(std::size_t phase)
 std::atomic<bool> is_there(false); ///< a bar
 
 } // namespace
+
+void keep_standard_output_for_data()
+{
+  standard_buffer();
+  if(!quiet)
+    std::cout.rdbuf(std::cerr.rdbuf());
+}
+
+void be_quiet()
+{
+  static Null_buffer* const nothing = new Null_buffer; // never freed: std::cout is flushed when all else has gone
+  standard_buffer();
+  quiet = true;
+  std::cout.rdbuf(nothing);
+}
+
+void be_verbose() { verbose = true; }
+
+bool is_verbose() { return verbose; }
+
+std::string shown(const std::string& file, const char* standard_stream) { return file == "-" ? standard_stream : file; }
+
+bool write_to_standard_output(std::streambuf* source)
+{
+  std::ostream out(standard_buffer());
+  return (out << source) && out.flush();
+}
+
+void flush_standard_output()
+{
+  if(!std::cout.flush())
+    throw Refusal(unwritable_file, "standard output", "could not be written",
+                  "check the space on the disk, or where the output goes");
+}
 
 Progress_bar::Progress_bar(const std::string& phase)
   : is_only_one_(!is_there.exchange(true)), phase_(phase), width_(is_only_one_ ? width_of_bar(phase.size()) : 0)

@@ -4,9 +4,10 @@
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 
-#include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
+#include <CGAL/Spherical_parameterization/for_each_index.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <sstream>
@@ -287,13 +288,16 @@ private:
     return are_good;
   }
 
-  /// Whether read(row) returns true for all rows below `count`, for which it is called on all cores.
+  /// Calls read(row) for all rows below `count` on all cores. Returns whether all of these calls returned true.
   template <class Read>
   static bool for_all_rows(std::size_t count, Read read)
   {
-    const int rows = static_cast<int>(count);
-    const SP::internal::Host_loop on_all_cores(true);
-    return SP::internal::first_index(on_all_cores, rows, [&](int row) { return !read(std::size_t(row)); }) == rows;
+    std::atomic<bool> are_good{true};
+    SP::for_each_index(CGAL::Parallel_tag(), static_cast<int>(count), [&](int row) {
+      if(are_good && !read(static_cast<std::size_t>(row)))
+        are_good = false;
+    });
+    return are_good;
   }
 
   void read_row(const Element& element, std::size_t row)

@@ -5,6 +5,7 @@
 #include "errors.h"
 
 #include "input/any_weights.h"
+#include "system/stopwatch.h"
 
 #include <CGAL/Spherical_parameterization/parameterize.h>
 #include <CGAL/Spherical_parameterization/version.h>
@@ -152,7 +153,7 @@ py::tuple parameterize(const Doubles& points, const py::array& triangles, const 
     return std::visit(
       [&](const auto& chosen_policy, const auto& chosen_method) {
         typedef std::decay_t<decltype(chosen_method)> Method;
-        const SP::internal::Stopwatch reading;
+        const tool::Stopwatch reading;
         const Mesh mesh(chosen_policy, positions, rows);
         const double seconds_reading = reading.seconds();
         const auto parameters = CGAL::parameters::edge_weight_map(weights.weights(mesh))

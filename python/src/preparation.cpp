@@ -7,8 +7,7 @@
 #include "input/mesh.h"
 #include "preparation/prepare.h"
 #include "runner/page.h"
-
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
+#include "system/stopwatch.h"
 
 #include <nlohmann/json.hpp>
 
@@ -44,7 +43,7 @@ py::tuple prepare(const Doubles& points, const py::array_t<std::int32_t>& triang
   nlohmann::ordered_json report;
   try {
     const py::gil_scoped_release no_lock;
-    const SP::internal::Stopwatch stopwatch;
+    const tool::Stopwatch stopwatch;
     const preparation::Preparation done = preparation::prepare(soup, settings, watched);
     result = preparation::joined(done.parts);
     const double diagonal = preparation::diagonal(soup);

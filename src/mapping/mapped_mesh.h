@@ -8,8 +8,8 @@
 #include "mapping/spherical_map.h"
 #include "options/mapping_options.h"
 #include "system/interruption.h"
+#include "system/stopwatch.h"
 
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/values/Result.h>
 
 #include <algorithm>
@@ -21,8 +21,6 @@
 #include <vector>
 
 namespace tool {
-
-using SP::internal::Stopwatch;
 
 /// The mesh that a command works on, and its certified spherical map, once `read_input()` and `map_input()` have not
 /// refused it.

@@ -12,7 +12,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
-#include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/shapes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/specificity.h>

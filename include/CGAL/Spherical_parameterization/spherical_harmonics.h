@@ -4,8 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
-#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
 #include <CGAL/Spherical_parameterization/values/harmonics_methods.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>

@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Float_cycle.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/problem/settle.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/start_map.h>

@@ -9,10 +9,8 @@
 #include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
-#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 
 #include <algorithm>

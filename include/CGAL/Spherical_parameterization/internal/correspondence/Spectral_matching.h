@@ -5,10 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_MATCHING_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_refinement.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/places_on_sphere.h>
 
 #include <algorithm>
 #include <array>

@@ -11,12 +11,10 @@
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/kernel_signatures.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
 #include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/even_samples.h>
 

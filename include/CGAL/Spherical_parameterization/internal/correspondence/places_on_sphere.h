@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <cmath>
 #include <cstddef>

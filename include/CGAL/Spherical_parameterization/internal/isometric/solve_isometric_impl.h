@@ -7,15 +7,11 @@
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Map_level.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/canonical_order.h>
 #include <CGAL/Spherical_parameterization/internal/problem/settle.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/landmark_placement.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/newton_relaxation.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 
 #include <algorithm>

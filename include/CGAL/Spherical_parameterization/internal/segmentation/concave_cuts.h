@@ -10,7 +10,6 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
 
 #include <algorithm>

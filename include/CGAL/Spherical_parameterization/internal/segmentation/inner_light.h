@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Ray_tree.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/surface/even_samples.h>
 
 #include <algorithm>

@@ -9,12 +9,9 @@
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Grid_transform.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Legendre_transform.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Scattered_points.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/face_quadrature.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/least_squares.h>
 
 #include <complex>

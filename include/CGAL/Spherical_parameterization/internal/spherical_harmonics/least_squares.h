@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Grid_transform.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Scattered_points.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 

@@ -5,8 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SHAPES_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>

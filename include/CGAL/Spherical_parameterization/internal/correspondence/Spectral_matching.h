@@ -56,10 +56,7 @@ public:
     bool fits_landmarks = true; ///< all of them are near where they should be
   };
 
-  Spectral_matching(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks,
-                    bool are_guides)
-    : Base(loop, a, b, landmarks, are_guides)
-  {}
+  using Base::Base;
 
   /// The best answer first, then those that are nearly as good.
   std::vector<Answer> run() const

@@ -64,7 +64,7 @@ public:
       source_area_ = 1;
     for(int v = 0; problem.has_fixed() && v < problem.size(); ++v)
       if(problem.is_fixed[v])
-        landmarks_.push_back({v, problem.as_stored ? problem.as_stored(problem.given[v]) : problem.given[v]});
+        landmarks_.push_back({v, problem.place_of_fixed(v)});
   }
 
   /// Returns the positions of all vertices.
@@ -488,9 +488,7 @@ private:
   /// is near to the one by a new matrix, but not with landmarks, round which the map is stiff.
   void measure(Newton_relaxation<>& newton, Solver_report& report)
   {
-    if(problem_.as_stored)
-      for(vec3& x : level_.position())
-        x = problem_.as_stored(x);
+    make_storable(loop_.bare(), problem_, level_.position());
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
                               effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
@@ -599,11 +597,10 @@ CGAL_SP_INLINE void check_fixed_faces(const Problem& problem)
 {
   if(!problem.has_fixed())
     return;
-  const auto stored = [&](int i) { return problem.as_stored ? problem.as_stored(problem.given[i]) : problem.given[i]; };
   for(std::size_t f = 0; f < problem.face.size(); ++f) {
     const auto [i, j, k] = problem.face[f];
     if(problem.is_fixed[i] && problem.is_fixed[j] && problem.is_fixed[k] &&
-       !is_positively_oriented(stored(i), stored(j), stored(k)))
+       !is_positively_oriented(problem.place_of_fixed(i), problem.place_of_fixed(j), problem.place_of_fixed(k)))
       throw Input_error(Error_code::BAD_CONSTRAINTS,
                         "the fixed vertices " + std::to_string(problem.position[i]) + ", " +
                           std::to_string(problem.position[j]) + " and " + std::to_string(problem.position[k]) +

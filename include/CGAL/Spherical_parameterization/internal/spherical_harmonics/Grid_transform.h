@@ -9,6 +9,7 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Legendre_transform.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids.h>
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Quarter_turn.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Complex_harmonics.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>

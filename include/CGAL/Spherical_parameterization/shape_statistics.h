@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_STATISTICS_H
 
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/values/Procrustes.h>
 #include <CGAL/Spherical_parameterization/values/Shape_statistics.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>

@@ -6,7 +6,6 @@
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/coefficient_files.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids_impl.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>
 
 namespace CGAL::Spherical_parameterization::internal {

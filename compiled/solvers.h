@@ -2,8 +2,7 @@
 // Part of CGAL Spherical Parameterization.
 
 // What takes the compiler long is compiled in a file of its own, and only there.
-#ifndef CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_SOLVERS_H
-#define CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_SOLVERS_H
+#pragma once
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/driver/solve.h>
@@ -24,5 +23,3 @@ CGAL_SP_BALANCED(extern template, OpenCL_backend<Host_loop>)
 #endif
 
 } // namespace CGAL::Spherical_parameterization::internal
-
-#endif // CGAL_SPHERICAL_PARAMETERIZATION_COMPILED_SOLVERS_H

@@ -5,8 +5,7 @@
 // dragon with edges of three faces they leave 5 components with 4 holes, this one with 1; in a Moebius band they copy
 // 110 vertices, this 5.
 
-#include "preparation/glue.h"
-
+#include "preparation/mend.h"
 #include "preparation/points.h"
 
 #include <boost/functional/hash.hpp>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of CGAL Spherical Parameterization.
 
-#ifndef SPHERICAL_PARAMETERIZATION_PREPARATION_POINTS_H
-#define SPHERICAL_PARAMETERIZATION_PREPARATION_POINTS_H
+#pragma once
 
 #include <CGAL/Spherical_parameterization/preparation/glued_surface.h>
 
@@ -50,5 +49,3 @@ inline double unit_of(double largest_coordinate)
 }
 
 } // namespace CGAL::Spherical_parameterization::preparation
-
-#endif // SPHERICAL_PARAMETERIZATION_PREPARATION_POINTS_H

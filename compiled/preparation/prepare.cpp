@@ -3,7 +3,6 @@
 
 #include <CGAL/Spherical_parameterization/preparation/prepare.h>
 
-#include "preparation/glue.h"
 #include "preparation/mend.h"
 #include "preparation/points.h"
 

@@ -6,7 +6,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/Bounding_box.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/Nearest_rows.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/symmetric_solver.h>

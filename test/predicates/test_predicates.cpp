@@ -3,7 +3,7 @@
 
 #include "helpers/arrays.h"
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 

@@ -7,7 +7,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
 #include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/stretch_histogram.h>
 

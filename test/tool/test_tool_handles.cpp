@@ -4,7 +4,6 @@
 #include "helpers/meshes.h"
 
 #include "preparation/mend.h"
-#include "preparation/glue.h"
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/check_soup.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_EDGE_WEIGHTS_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>

@@ -4,9 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_ALIGNMENT_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_HARMONIC_ALIGNMENT_H
 
-#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
-#include <CGAL/Spherical_parameterization/values/Rotation.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_analysis.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/kernel_signatures.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
 #include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/values/Laplacian_eigenpairs.h>

@@ -70,9 +70,7 @@ CGAL_SP_ON_ONE_CORE(certify_map)
 
 /// Number of flipped faces: faces (a, b, c) with orientation(O, a, b, c) <= 0, by exact predicates on the coordinates
 /// as doubles. A map without such faces and of degree 1 is bijective.
-/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor; need not be normalized
+/// \param policy,mesh,sphere_map  as for `certify_map()`
 /// \return the number of faces that are flipped, degenerate, or not finite
 ///
 /// Complexity: linear.
@@ -85,9 +83,7 @@ CGAL_SP_ON_ONE_CORE(number_of_flipped_faces)
 
 /// The degree of the map: how often it covers the sphere, counted with orientation, by exact predicates on the
 /// coordinates as doubles. Faces with coordinates that are not finite are ignored.
-/// \param policy      `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result does not depend on it
-/// \param mesh        a closed triangle mesh, a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param sphere_map  readable, key vertex_descriptor, value unit vectors
+/// \param policy,mesh,sphere_map  as for `certify_map()`
 /// \return the degree: 1 for a valid map, -1 for a mirrored map
 ///
 /// Complexity: linear.

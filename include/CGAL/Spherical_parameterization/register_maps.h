@@ -4,15 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_REGISTER_MAPS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_REGISTER_MAPS_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Registration.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/register_surfaces.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 
 #include <boost/graph/graph_traits.hpp>

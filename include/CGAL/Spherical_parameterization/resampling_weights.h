@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>
 #include <CGAL/Spherical_parameterization/locate.h>
 #include <CGAL/Spherical_parameterization/transfer_properties.h>

@@ -5,14 +5,12 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SHAPE_STATISTICS_H
 
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/values/Procrustes.h>
 #include <CGAL/Spherical_parameterization/values/Shape_statistics.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/backend/execution.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/context/make_monitor.h>
-#include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/shapes.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/specificity.h>

@@ -4,10 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_SPHERICAL_HARMONICS_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
-#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
-#include <CGAL/Spherical_parameterization/values/harmonics_methods.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_analysis.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/api/named_parameters.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_VALUES_SHAPE_STATISTICS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_VALUES_SHAPE_STATISTICS_H
 
+#include <CGAL/Spherical_parameterization/values/Rotation.h>
+
 #include <array>
 #include <vector>
 
@@ -14,6 +16,29 @@ namespace CGAL::Spherical_parameterization {
 
 /// The vertices of a shape.
 typedef std::vector<std::array<double, 3>> Shape_points;
+
+/// What is removed before statistics of shapes: translations always, rotations and sizes as chosen.
+struct Procrustes {
+  bool rotate = true;      ///< rotate all shapes except the first one so that they are closest to their mean
+  bool scale = false;      ///< scale all shapes to the root mean square of their sizes
+  double accuracy = 1e-10; ///< stops where no rotation changes by more, in radians
+  int iterations = 1000;   ///< at most
+};
+
+/// The motion of a shape: x becomes scale * rotation x + translation.
+struct Similarity {
+  double scale = 1;                                        ///< positive
+  Rotation rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< of the scaled shape
+  std::array<double, 3> translation = {0, 0, 0};           ///< comes last
+};
+
+/// The result of `align_shapes()`.
+struct Procrustes_alignment {
+  std::vector<Similarity> motions; ///< by shape
+  double deviation = 0;            ///< root mean square distance from the mean, over vertices and shapes
+  bool has_converged = true;       ///< whether the accuracy was reached
+  int iterations = 0;              ///< of alternating mean and rotations
+};
 
 /// Mean and principal components of a set of shapes: a point distribution model (T. F. Cootes, C. J. Taylor,
 /// D. H. Cooper, J. Graham, "Active shape models: their training and application", 1995). Shape i is the mean plus the

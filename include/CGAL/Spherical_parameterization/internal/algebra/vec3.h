@@ -18,6 +18,7 @@
 namespace CGAL::Spherical_parameterization::internal {
 using std::size_t;
 using std::sqrt;
+constexpr double pi = 3.14159265358979323846;
 typedef double real; /* a device may take float: kernels/backend/precision.cl */
 /* as in OpenCL: four lanes of a register, of which the last one is unused (an extension of GCC's and Clang's) */
 typedef float float4 __attribute__((vector_size(16)));

@@ -10,8 +10,6 @@
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/values/methods.h>
 
 #include <string>

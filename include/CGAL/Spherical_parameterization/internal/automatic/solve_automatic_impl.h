@@ -4,9 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AUTOMATIC_SOLVE_AUTOMATIC_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_AUTOMATIC_SOLVE_AUTOMATIC_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/automatic/solve_automatic.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/problem/attempt.h>

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_WEIGHTED_GRAPH_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BACKEND_WEIGHTED_GRAPH_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/backend/formulas/float_cycle.h>
 

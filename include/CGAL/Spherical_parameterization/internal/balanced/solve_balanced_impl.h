@@ -4,11 +4,10 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVE_BALANCED_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_SOLVE_BALANCED_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Float_cycle.h>
-#include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/problem/settle.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/balanced_solver.h>
 #include <CGAL/Spherical_parameterization/internal/balanced/start_map.h>

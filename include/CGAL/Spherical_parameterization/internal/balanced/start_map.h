@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_START_MAP_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_BALANCED_START_MAP_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Float_cycle.h>

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CONTEXT_MONITOR_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Result.h>
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/landmarks_in_place.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>

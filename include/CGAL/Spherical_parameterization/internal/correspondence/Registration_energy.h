@@ -4,15 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_REGISTRATION_ENERGY_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_REGISTRATION_ENERGY_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Carried_face.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
-#include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 
 #include <algorithm>

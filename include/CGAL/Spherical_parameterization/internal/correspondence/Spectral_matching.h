@@ -5,10 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_MATCHING_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_refinement.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/places_on_sphere.h>
 
 #include <algorithm>
 #include <array>
@@ -58,10 +56,7 @@ public:
     bool fits_landmarks = true; ///< all of them are near where they should be
   };
 
-  Spectral_matching(const Watched_loop<Loop>& loop, const Shape& a, const Shape& b, const Landmarks& landmarks,
-                    bool are_guides)
-    : Base(loop, a, b, landmarks, are_guides)
-  {}
+  using Base::Base;
 
   /// The best answer first, then those that are nearly as good.
   std::vector<Answer> run() const

@@ -7,12 +7,9 @@
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Rotation.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Map_to_goal.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_matching.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/Spectral_shape.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/coarse_map.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>

@@ -5,18 +5,15 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_SPECTRAL_SHAPE_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Geodesic_graph.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Locator.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/kernel_signatures.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/laplacian_spectrum.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
 #include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/even_samples.h>
 

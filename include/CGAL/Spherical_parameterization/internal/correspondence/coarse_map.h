@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_COARSE_MAP_H
 
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registered_surface.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>

@@ -4,9 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_PLACES_ON_SPHERE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_CORRESPONDENCE_PLACES_ON_SPHERE_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 
 #include <cmath>
 #include <cstddef>

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/correspondence/Registration_energy.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/Registration_newton.h>
 #include <CGAL/Spherical_parameterization/internal/correspondence/refine.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>

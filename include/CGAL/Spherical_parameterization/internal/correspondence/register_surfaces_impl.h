@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Rotation.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>

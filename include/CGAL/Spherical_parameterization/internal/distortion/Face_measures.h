@@ -4,13 +4,11 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DISTORTION_FACE_MEASURES_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
-#include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 
 #include <algorithm>
 #include <array>

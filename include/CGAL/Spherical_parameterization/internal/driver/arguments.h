@@ -191,6 +191,13 @@ auto densities(const NamedParameters& np)
     return as_optional<Key>(parameters::get_parameter(np, Tag()));
 }
 
+/// The weights that `edge_weight_map` gives, or the default.
+template <class NamedParameters>
+auto edge_weights(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, edge_weight_tag()), Conformal_weights());
+}
+
 /// What the caller of parameterize() gives besides the mesh.
 template <class TriangleMesh, class NamedParameters>
 struct Mesh_inputs {
@@ -199,13 +206,7 @@ struct Mesh_inputs {
 
   auto points() const { return vertex_points(mesh, np); }
 
-  auto weights() const
-  {
-    if constexpr(parameters::is_default_parameter<NamedParameters, edge_weight_tag>::value)
-      return Conformal_weights();
-    else
-      return parameters::get_parameter(np, edge_weight_tag());
-  }
+  auto weights() const { return edge_weights(np); }
 
   auto constraints() const
   {
@@ -235,13 +236,7 @@ struct Soup_inputs {
 
   auto points() const { return get(CGAL::vertex_point, mesh); }
 
-  auto weights() const
-  {
-    if constexpr(parameters::is_default_parameter<NamedParameters, edge_weight_tag>::value)
-      return Conformal_weights();
-    else
-      return weights_of(parameters::get_parameter(np, edge_weight_tag()));
-  }
+  auto weights() const { return weights_of(edge_weights(np)); }
 
   auto constraints() const
   {

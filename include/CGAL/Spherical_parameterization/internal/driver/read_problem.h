@@ -4,10 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_DRIVER_READ_PROBLEM_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Result.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
@@ -17,8 +14,6 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 
 #include <CGAL/number_utils.h>
 

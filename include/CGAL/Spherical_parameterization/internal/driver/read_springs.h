@@ -7,13 +7,7 @@
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
-#include <CGAL/Spherical_parameterization/internal/surface/check_face_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/conformal_graph.h>
 #include <CGAL/Spherical_parameterization/internal/surface/neighbours.h>
 #include <CGAL/Spherical_parameterization/internal/surface/read_surface.h>

@@ -12,8 +12,6 @@
 #include <CGAL/Spherical_parameterization/internal/balanced/solve_balanced.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Method_solver.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/internal/saddle_point/solve_saddle_point.h>
 #include <CGAL/Spherical_parameterization/values/methods.h>
 

@@ -5,10 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_MAP_LEVEL_H
 
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 

@@ -5,9 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_PROGRESSIVE_MESH_H
 
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/match_halfedges.h>
 
 #include <boost/container/small_vector.hpp>

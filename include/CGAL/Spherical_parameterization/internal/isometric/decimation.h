@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_DECIMATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ISOMETRIC_DECIMATION_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rounded.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Map_level.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/landmark_paths.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/newton_relaxation.h>
 

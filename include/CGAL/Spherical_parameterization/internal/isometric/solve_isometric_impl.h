@@ -7,15 +7,11 @@
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Carried_density.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Map_level.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/Progressive_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/canonical_order.h>
 #include <CGAL/Spherical_parameterization/internal/problem/settle.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/decimation.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/landmark_placement.h>
-#include <CGAL/Spherical_parameterization/internal/isometric/newton_relaxation.h>
 #include <CGAL/Spherical_parameterization/internal/isometric/solve_isometric.h>
 
 #include <algorithm>
@@ -70,7 +66,7 @@ public:
       source_area_ = 1;
     for(int v = 0; problem.has_fixed() && v < problem.size(); ++v)
       if(problem.is_fixed[v])
-        landmarks_.push_back({v, problem.as_stored ? problem.as_stored(problem.given[v]) : problem.given[v]});
+        landmarks_.push_back({v, problem.place_of_fixed(v)});
   }
 
   /// Returns the positions of all vertices.
@@ -513,9 +509,7 @@ private:
   /// is near to the one by a new matrix, but not with landmarks, round which the map is stiff.
   void measure(Newton_relaxation<>& newton, Solver_report& report)
   {
-    if(problem_.as_stored)
-      for(vec3& x : level_.position())
-        x = problem_.as_stored(x);
+    make_storable(loop_.bare(), problem_, level_.position());
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
                               effort_.number_of_iterations.value_or(Isometric::default_number_of_iterations) >=
@@ -624,11 +618,10 @@ CGAL_SP_INLINE void check_fixed_faces(const Problem& problem)
 {
   if(!problem.has_fixed())
     return;
-  const auto stored = [&](int i) { return problem.as_stored ? problem.as_stored(problem.given[i]) : problem.given[i]; };
   for(std::size_t f = 0; f < problem.face.size(); ++f) {
     const auto [i, j, k] = problem.face[f];
     if(problem.is_fixed[i] && problem.is_fixed[j] && problem.is_fixed[k] &&
-       !is_positively_oriented(stored(i), stored(j), stored(k)))
+       !is_positively_oriented(problem.place_of_fixed(i), problem.place_of_fixed(j), problem.place_of_fixed(k)))
       throw Input_error(Error_code::BAD_CONSTRAINTS,
                         "the fixed vertices " + std::to_string(problem.position[i]) + ", " +
                           std::to_string(problem.position[j]) + " and " + std::to_string(problem.position[k]) +

@@ -5,10 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_LOCATOR_H
 
 #include <CGAL/Spherical_parameterization/internal/locate/Kd_tree.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>

@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_LOCATE_RAY_TREE_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/Bounding_box.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_COARSENING_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_MULTIGRID_COARSENING_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/sparse_rows.h>

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_CERTIFICATE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PREDICATES_CERTIFICATE_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>

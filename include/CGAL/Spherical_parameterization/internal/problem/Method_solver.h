@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_PROBLEM_METHOD_SOLVER_H
 
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 
 #include <algorithm>

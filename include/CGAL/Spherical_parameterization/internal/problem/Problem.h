@@ -31,6 +31,8 @@ struct Problem : Surface {
   /// Whether the springs are those of the intrinsic triangulation, and not the edges of the faces.
   bool is_intrinsic() const { return spring_lengths.has_value(); }
   bool has_fixed() const { return !is_fixed.empty(); }
+  /// Where the caller's map has a fixed vertex.
+  vec3 place_of_fixed(int i) const { return as_stored ? as_stored(given[i]) : given[i]; }
   int size() const { return number_of_vertices; }
 };
 

@@ -9,10 +9,8 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Monitor.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
-#include <CGAL/Spherical_parameterization/internal/problem/Problem.h>
 #include <CGAL/Spherical_parameterization/internal/problem/Solution.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/mend.h>
 

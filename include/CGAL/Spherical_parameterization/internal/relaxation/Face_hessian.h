@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_FACE_HESSIAN_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_RELAXATION_FACE_HESSIAN_H
 
-#include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Star.h>
 
 #include <algorithm>

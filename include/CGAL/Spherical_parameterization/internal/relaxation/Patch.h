@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
-#include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Face_hessian.h>
 #include <CGAL/Spherical_parameterization/internal/relaxation/Sparse_cholesky.h>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/surface/neighbours.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>

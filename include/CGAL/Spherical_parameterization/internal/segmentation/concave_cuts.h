@@ -5,12 +5,11 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_CONCAVE_CUTS_H
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/multigrid/Multigrid.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
 
 #include <algorithm>

@@ -5,10 +5,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_INNER_LIGHT_H
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/locate/Ray_tree.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/surface/even_samples.h>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/Region_graph.h>
-#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 
 #include <cstddef>
 #include <map>

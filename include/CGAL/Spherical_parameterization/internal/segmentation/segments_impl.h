@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTS_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SEGMENTATION_SEGMENTS_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/segmentation/Segmentation_mesh.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/concave_cuts.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/girth_profiles.h>
 #include <CGAL/Spherical_parameterization/internal/segmentation/inner_light.h>

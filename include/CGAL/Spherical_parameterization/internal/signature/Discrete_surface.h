@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SIGNATURE_DISCRETE_SURFACE_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Host_backend.h>
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/algebra/histogram.h>
 #include <CGAL/Spherical_parameterization/internal/surface/persistence.h>
-#include <CGAL/Spherical_parameterization/internal/signature/Discrete_surface.h>
 #include <CGAL/Spherical_parameterization/internal/signature/conformal_factor.h>
 #include <CGAL/Spherical_parameterization/internal/signature/signature_values.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/context/Watched_loop.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/spectrum/Block_lanczos.h>

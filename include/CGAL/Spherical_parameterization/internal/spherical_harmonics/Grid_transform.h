@@ -4,11 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_GRID_TRANSFORM_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_GRID_TRANSFORM_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Legendre_transform.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids.h>
 
 #include <algorithm>
 #include <array>

@@ -4,12 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ANALYSIS_H
 
-#include <CGAL/Spherical_parameterization/values/Error.h>
-#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
-#include <CGAL/Spherical_parameterization/values/harmonics_methods.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_analysis.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>

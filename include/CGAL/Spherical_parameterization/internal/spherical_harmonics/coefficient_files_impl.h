@@ -39,10 +39,8 @@ public:
 
   void expect(char c)
   {
-    skip_spaces();
-    if(text_.empty() || text_.front() != c)
+    if(!follows(c))
       fail(std::string("'") + c + "' is missing");
-    text_.remove_prefix(1);
   }
 
   bool follows(char c)

@@ -4,9 +4,8 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FACE_QUADRATURE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FACE_QUADRATURE_H
 
-#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
+#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/grids.h>
 
 #include <algorithm>
 #include <array>
@@ -15,33 +14,6 @@
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// The Legendre polynomial of degree n and its derivative, for x in (-1, 1).
-inline std::pair<double, double> legendre_polynomial(int n, double x)
-{
-  double value = 1, before = 0; // of degrees k and k - 1
-  for(int k = 0; k < n; ++k)
-    before = std::exchange(value, ((2 * k + 1) * x * value - k * before) / (k + 1));
-  return {value, n * (before - x * value) / ((1 - x) * (1 + x))};
-}
-
-/// The Gauss rule of n points on [-1, 1]: positions, increasing, and weights.
-CGAL_SP_INLINE std::vector<std::pair<double, double>> gauss_rule(int n)
-{
-  std::vector<std::pair<double, double>> rule(n);
-  for(int i = 0; i < (n + 1) / 2; ++i) {
-    double x = 2 * i + 1 == n ? 0 : std::cos(pi * (i + 0.75) / (n + 0.5)); // near a zero, by F. Tricomi
-    for(int step = 0; step < 4; ++step) {                                  // of Newton's method: 2, 4, 8, 16 digits
-      const auto [value, slope] = legendre_polynomial(n, x);
-      x -= value / slope;
-    }
-    const double slope = legendre_polynomial(n, x).second;
-    const double weight = 2 / ((1 - x) * (1 + x) * slope * slope);
-    rule[i] = {-x, weight};
-    rule[n - 1 - i] = {x, weight};
-  }
-  return rule;
-}
 
 /// A point of a face on the sphere, with the area that it stands for.
 struct Quadrature_point {

@@ -4,27 +4,12 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FOURIER_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_FOURIER_H
 
-#include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-
 #include <unsupported/Eigen/FFT>
 
 #include <complex>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
-
-/// The least multiple of 4 that is not less than n and has no prime factor above 5: Fourier transforms like it.
-CGAL_SP_INLINE int fourier_size(int n)
-{
-  for(int size = n + (4 - n % 4) % 4;; size += 4) {
-    int rest = size;
-    for(int p : {2, 3, 5})
-      while(rest % p == 0)
-        rest /= p;
-    if(rest == 1)
-      return size;
-  }
-}
 
 /// Discrete Fourier transforms without factors, one after the other. A thread needs one of its own.
 template <class...>

@@ -4,9 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_H
 
-#include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
-#include <CGAL/Spherical_parameterization/values/Harmonic_results.h>
-#include <CGAL/Spherical_parameterization/values/Rotation.h>
+#include <CGAL/Spherical_parameterization/values/Harmonic_analysis.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 
 #include <vector>

@@ -5,11 +5,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SPHERICAL_HARMONICS_ROTATION_IMPL_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/dense_matrices.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Complex_harmonics.h>
-#include <CGAL/Spherical_parameterization/internal/spherical_harmonics/Quarter_turn.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/analysis.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/fourier.h>
 #include <CGAL/Spherical_parameterization/internal/spherical_harmonics/rotation.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PROCRUSTES_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PROCRUSTES_H
 
-#include <CGAL/Spherical_parameterization/values/Procrustes.h>
+#include <CGAL/Spherical_parameterization/values/Shape_statistics.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/Shape_set.h>
 

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PROCRUSTES_IMPL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_PROCRUSTES_IMPL_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/rotations.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/procrustes.h>

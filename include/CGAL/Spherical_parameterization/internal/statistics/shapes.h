@@ -5,13 +5,10 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SHAPES_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/values/Harmonic_coefficients.h>
 #include <CGAL/Spherical_parameterization/values/Shape_statistics.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/Shape_set.h>
 

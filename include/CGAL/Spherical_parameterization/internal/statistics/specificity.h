@@ -4,7 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SPECIFICITY_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_STATISTICS_SPECIFICITY_H
 
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/statistics/principal_components.h>
 
 #include <algorithm>

@@ -5,11 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_SURFACE_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/Bounding_box.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
-#include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 #include <CGAL/Spherical_parameterization/internal/surface/match_halfedges.h>
 
 #include <array>

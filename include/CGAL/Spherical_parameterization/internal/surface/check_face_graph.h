@@ -5,7 +5,6 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_CHECK_FACE_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/text/text.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>

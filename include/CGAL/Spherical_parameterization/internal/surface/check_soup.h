@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/values/Error.h>
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 

@@ -5,9 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_CONFORMAL_GRAPH_H
 
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Intrinsic_triangulation.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Spring_lengths.h>
 #include <CGAL/Spherical_parameterization/internal/surface/fans.h>

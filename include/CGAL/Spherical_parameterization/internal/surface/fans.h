@@ -4,7 +4,6 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_FANS_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_FANS_H
 
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Corner_table.h>
 #include <CGAL/Spherical_parameterization/internal/surface/match_halfedges.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 

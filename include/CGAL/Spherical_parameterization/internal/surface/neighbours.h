@@ -7,7 +7,6 @@
 #include <CGAL/Spherical_parameterization/internal/backend/Weighted_graph.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 
 #include <algorithm>
 

@@ -5,13 +5,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_READ_SURFACE_H
 
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
-#include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
-#include <CGAL/Spherical_parameterization/internal/surface/Vertex_numbering.h>
-#include <CGAL/Spherical_parameterization/internal/surface/breadth_first.h>
 #include <CGAL/Spherical_parameterization/internal/surface/check_face_graph.h>
 #include <CGAL/Spherical_parameterization/values/Error.h>
 

@@ -9,7 +9,6 @@
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Mapped_surface.h>
 #include <CGAL/Spherical_parameterization/internal/distortion/Face_measures.h>
-#include <CGAL/Spherical_parameterization/internal/surface/fans.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_TEXTURE_TEXTURE_CHARTS_H
 
 #include <CGAL/Spherical_parameterization/internal/api/compiled.h>
-#include <CGAL/Spherical_parameterization/internal/algebra/pi.h>
+#include <CGAL/Spherical_parameterization/internal/algebra/vec3.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/orientation.h>
 
 #include <algorithm>

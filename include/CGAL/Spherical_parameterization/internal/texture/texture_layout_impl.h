@@ -8,7 +8,6 @@
 #include <CGAL/Spherical_parameterization/internal/api/precondition.h>
 #include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/texture/least_harmful_poles.h>
-#include <CGAL/Spherical_parameterization/internal/texture/texture_charts.h>
 #include <CGAL/Spherical_parameterization/internal/texture/texture_layout.h>
 
 #include <algorithm>

@@ -112,7 +112,7 @@ def test_morph_keeps_the_ends_and_does_not_shrink_on_a_turn() -> None:
     assert (way[0] == points).all() and (way[-1] == turned).all()
     size = np.linalg.norm(points, axis=1)
     assert max(abs(np.linalg.norm(shape, axis=1) - size).max() for shape in way) < 1e-12
-    for scale in (2.0**-700, 2.0**700):  # squares would vanish or overflow
+    for scale in (2.0**-700, 2.0**700, 2.0**1021):  # squares would vanish or overflow, and sums
         assert (sp.morph(points * scale, turned * scale, 7) == way * scale).all()
     for wrong in ((points, points[1:]), (points, turned, 0), (points, points * np.nan), (points[:0], points[:0])):
         with pytest.raises(ValueError):

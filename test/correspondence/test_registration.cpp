@@ -503,6 +503,11 @@ TEST_CASE("what cannot be registered is named", "[registration]")
   for(Vertex v : vertices(point.mesh))
     point.mesh.point(v) = Point(1, 1, 1);
   CHECK(registered(point, a).result.error == Error_code::DEGENERATE_FACE);
+  typedef std::vector<SP::Landmark_pair<Mesh, Mesh>> Landmarks;
+  for(const Landmarks& wrong : {Landmarks{{Vertex(0), Vertex(0)}, {Vertex(0), Vertex(1)}},
+                                Landmarks{{Vertex(0), Vertex(1)}, {Vertex(5), Vertex(1)}},
+                                Landmarks{{Vertex(0), Vertex(100000)}}, Landmarks{{Mesh::null_vertex(), Vertex(1)}}})
+    CHECK_THROWS_AS(registered(a, a, {}, wrong), CGAL::Precondition_exception);
   SP::Registration method;
   method.curvature_weight = -1;
   CHECK_THROWS_AS(registered(a, a, method), CGAL::Precondition_exception);

@@ -357,6 +357,30 @@ TEST_CASE("the Newton steps of the whole mesh are no more than asked for, at any
   CHECK(with_steps(unlimited).termination == SP::Termination::STALLED);
 }
 
+TEST_CASE("an accuracy that is asked for is reached while there are steps left", "[isometric]")
+{
+  const auto [soup, accuracy] = GENERATE(table<Soup, double>(
+    {{capsule(30, 12), 1e-5}, {capsule(100, 12), 1e-6}, {spiral(8, 6), 1e-7}, {tree(4), 1e-5}, {tree(5), 1e-7}}));
+  Settings settings = isometric(1);
+  settings.accuracy = accuracy;
+  settings.number_of_iterations = 5000;
+  Sphere sphere;
+  const Result result = solve(soup, sphere, settings);
+  CAPTURE(result);
+  CHECK(result.error == Error_code::OK);
+  CHECK(result.residual <= accuracy);
+}
+
+TEST_CASE("angles alone: limbs beyond doubles on coarse meshes are no reason for no map", "[isometric]")
+{
+  Settings settings = isometric(0);
+  for(const Soup& soup : {capsule(1000, 3), spiral(20, 4)}) {
+    Sphere sphere;
+    CHECK(solve(soup, sphere, settings).error == Error_code::OK);
+    CHECK(count_flipped_faces(soup, sphere) == 0);
+  }
+}
+
 TEST_CASE("the progress of the isometric method never goes back and ends at 1", "[isometric]")
 {
   double last = 0;

@@ -251,6 +251,23 @@ TEST_CASE("automatic: stopping it stops all of it", "[automatic]")
   CHECK(solve(capsule(30, 12), sphere, settings).error == Error_code::INTERRUPTED);
 }
 
+TEST_CASE("automatic: a map that is of no use is not the answer where time or patience are over", "[automatic]")
+{
+  const Soup soup = capsule(12, 12);
+  for(const double most : {0.55, 0.7, 0.9}) {
+    Settings settings;
+    settings.method = SP::Automatic();
+    settings.callback = [most](double fraction) { return fraction < most; };
+    Sphere sphere;
+    const Result result = solve(soup, sphere, settings);
+    CAPTURE(most, result);
+    REQUIRE(result.attempts.size() == 2); // the first map is valid, and shrinks the limb too much
+    CHECK(result.attempts[0].error == Error_code::OK);
+    CHECK(result.error == Error_code::INTERRUPTED);
+    CHECK(result.termination == SP::Termination::CALLBACK);
+  }
+}
+
 TEST_CASE("automatic: the progress never goes back, and every map that is tried moves it", "[automatic]")
 {
   Settings settings;

@@ -605,6 +605,11 @@ TEST_CASE("files of coefficients read back", "[harmonics]")
                     Catch::Contains("cut short")); // and no memory is taken
   std::ostringstream out;
   CHECK_THROWS_AS(SP::write_coefficients(out, Coefficients(3, 2), Format::SPHARM_PDM), std::runtime_error);
+  CHECK_THROWS_AS(SP::write_coefficients(out, Coefficients(), Format::CSV), CGAL::Precondition_exception);
+  Coefficients nan(1, 3);
+  nan(1, 0, 2) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(SP::write_coefficients(out, nan, Format::JSON), SP::Error);
+  CHECK(out.str().empty());
 }
 
 TEST_CASE("what cannot be analyzed is refused", "[harmonics]")

@@ -509,6 +509,16 @@ TEST_CASE("vertices count with their area, mean over the shapes", "[statistics]"
   add(larger, 1, unit);
   const std::vector<double> area = SP::mean_vertex_areas(one_core, make_mesh(soup), {unit, larger});
   CHECK(std::accumulate(area.begin(), area.end(), 0.) == Approx((1 + 4) / 2. * 8 * std::sqrt(3.) / 2));
+  for(const double scale : {0x1p-280, 0x1p280}) { // squares of areas are beyond doubles
+    Shapes scaled = {unit, larger};
+    for(Shape_points& shape : scaled)
+      for(auto& p : shape)
+        for(double& x : p)
+          x *= scale;
+    const std::vector<double> other = SP::mean_vertex_areas(one_core, make_mesh(soup), scaled);
+    for(std::size_t v = 0; v < area.size(); ++v)
+      CHECK(other[v] == scale * scale * area[v]);
+  }
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -559,6 +569,12 @@ TEST_CASE("wrong sets of shapes are refused", "[statistics]")
   CHECK_THROWS_AS(SP::left_out_errors(one_core, good, {}, 4), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::shape_of_scores(SP::shape_statistics(one_core, good), {1.}), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::mean_vertex_areas(one_core, make_mesh(icosphere(1)), good), CGAL::Precondition_exception);
+  const SP::Atlas_mesh atlas = SP::icosphere_of_atlas(0);
+  for(const auto placement : {SP::Atlas_placement::AS_THEY_STAND, SP::Atlas_placement::RIGID}) {
+    CHECK_THROWS_AS(SP::mean_shape(atlas, none, placement), CGAL::Precondition_exception);
+    CHECK_THROWS_AS(SP::mean_shape(atlas, Shapes{two[1]}, placement), CGAL::Precondition_exception);
+    CHECK_THROWS_AS(SP::mean_shape(atlas, nan, placement), SP::Error);
+  }
   std::vector<Coefficients> unlike = {Coefficients(2, 3), Coefficients(3, 3)}, flat = {Coefficients(2, 2)};
   CHECK_THROWS_AS(SP::align_shapes(one_core, unlike), CGAL::Precondition_exception);
   CHECK_THROWS_AS(SP::align_shapes(one_core, flat), CGAL::Precondition_exception);

@@ -51,6 +51,23 @@ Sphere collect(const std::map<Vertex, Value>& images)
 
 } // namespace
 
+TEST_CASE("pointers are property maps, as Boost has them", "[property_maps]")
+{
+  const Mesh mesh = make_mesh(bumpy_sphere(2));
+  Sphere sphere(num_vertices(mesh)), other = sphere;
+  std::vector<double> weight(num_edges(mesh), 1), dilatation(num_faces(mesh));
+  std::array<bool, 162> is_fixed = {};
+  std::fill_n(is_fixed.begin(), 12, true); // the corners of an icosahedron
+  REQUIRE(SP::parameterize(mesh, sphere.data(), CGAL::parameters::edge_weight_map(weight.data())));
+  std::copy_n(sphere.begin(), 12, other.begin());
+  REQUIRE(SP::parameterize(mesh, other.data(),
+                           CGAL::parameters::edge_weight_map(weight.data())
+                             .vertex_is_constrained_map(static_cast<const bool*>(is_fixed.data()))));
+  CHECK(other[1] == sphere[1]);
+  SP::face_dilatation(mesh, sphere.data(), dilatation.data());
+  CHECK(*std::min_element(dilatation.begin(), dilatation.end()) >= 1);
+}
+
 TEMPLATE_TEST_CASE("any value type that is made from three numbers", "[property_maps]", Kernel::Point_3,
                    Kernel::Vector_3, (std::array<double, 3>), Eigen::Vector3d, Direction)
 {

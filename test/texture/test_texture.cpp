@@ -299,6 +299,28 @@ TEST_CASE("the same texture on a Polyhedron_3", "[texture]")
   }
 }
 
+TEST_CASE("coordinates of floats are on a grid of floats", "[texture]")
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2 Float_point;
+  const Soup soup = capsule(12, 12);
+  Settings settings;
+  settings.weights = Weights::CONFORMAL;
+  const Sphere sphere = solve_or_throw(soup, settings);
+  const Mesh mesh = make_mesh(soup);
+  const Readable_map<Mesh::Vertex_index, Point> map{[&](auto v) { return sphere[v]; }};
+  for(const auto chart : {Texture_chart::LATITUDE_LONGITUDE, Texture_chart::OCTAHEDRAL}) {
+    std::map<Halfedge, Float_point> uv;
+    const SP::Texture_report report =
+      SP::texture_coordinates(mesh, map, Writable_map<Halfedge, Float_point>{&uv}, options(chart));
+    CHECK(report.unresolved_faces > 0);
+    for(auto f : faces(mesh)) {
+      const auto h = halfedge(f, mesh);
+      const auto exact = [&uv](Halfedge corner) { return Point_2(uv.at(corner).x(), uv.at(corner).y()); };
+      CHECK(exact_orientation(exact(h), exact(next(h, mesh)), exact(prev(h, mesh))) == CGAL::LEFT_TURN);
+    }
+  }
+}
+
 TEST_CASE("textures: wrong arguments", "[texture]")
 {
   const Soup soup = icosphere(1);

@@ -354,6 +354,12 @@ TEST_CASE("harmonics: aligned coefficients do not depend on the pose, and the ma
   for(const Point& p : read(scratch / "shape.off").points)
     sum += p.x() / static_cast<double>(soup.points.size());
   CHECK(std::abs(sum) < 0.5);
+  REQUIRE(run_tool({"harmonics", moved, "--sphere", round, "-o", scratch / "out.csv", "--degree", "6", "--reconstruct",
+                    scratch / "there.off"})
+            .exit_code == 0);
+  const std::vector<Point> here = read(scratch / "shape.off").points, there = read(scratch / "there.off").points;
+  for(std::size_t v = 1; v < here.size(); ++v) // and every vertex is where it is on the shape
+    CHECK((here[v] - here[0]).squared_length() == Approx((there[v] - there[0]).squared_length()));
   const Process_result none = run_tool({"harmonics", input, "-o", scratch / "none.csv", "--degree", "0", "--align"});
   CHECK(none.exit_code == 2);
   CHECK(none.err.find("--align: requires --degree 1 or more") != std::string::npos);
@@ -778,6 +784,7 @@ TEST_CASE("commands that use a map: wrong usage", "[tool]")
        {"register", input, input, "-o", scratch / "out.off", "--spheres", input},
        {"register", input, input, "-o", scratch / "out.off", "--spheres", input, input, "--weights", "conformal"},
        {"register", input, input, "-o", scratch / "out.off", "--fixed", input},
+       {"register", input, input, "-o", scratch / "out.off", "--density", input},
        {"morph", input, input, "-o", scratch / "way", "--steps", "0"},
        {"morph", input, input, "-o", scratch / "way", "--format", "txt"},
        {"segment", input, "-o", scratch / "out.off"},

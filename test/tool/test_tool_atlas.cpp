@@ -207,6 +207,23 @@ TEST_CASE("atlas: in the folder of the meshes, as often as one likes, but not th
   CHECK(same.err.find("is the folder of the meshes") != std::string::npos);
 }
 
+TEST_CASE("atlas: a mesh with its faces turned inwards is refused, and one of two names is one mesh", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = bumpy_sphere(1);
+  Soup inwards = soup;
+  for(auto& face : inwards.faces)
+    std::swap(face[0], face[1]);
+  const std::string a = write_off(scratch / "a.off", soup), b = write_off(scratch / "b.off", inwards);
+  const Process_result run = run_tool({"atlas", a, b, "-o", scratch / "atlas"});
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.find("b.off: its faces are turned inwards") != std::string::npos);
+  const Process_result turned = run_tool({"atlas", a, b, scratch / "./a.off", "-o", scratch / "atlas", "--prepare"});
+  CAPTURE(turned.err);
+  CHECK(turned.exit_code == 0);
+  CHECK(lines_of(text_of(scratch / "atlas/scores.csv")).size() == 3); // with the line of names
+}
+
 TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool]")
 {
   Scratch scratch;

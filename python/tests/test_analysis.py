@@ -229,5 +229,17 @@ def test_labels_are_those_of_the_nearest_corner() -> None:
     locator = sp.Locator(triangles, points)
     nearby = points + 1e-3 * np.random.default_rng(0).normal(size=points.shape)
     assert (locator.transfer(names, nearby, nearest=True) == names).all()
+    faces, weights = locator.locate(points[triangles].mean(axis=1))
+    assert np.array_equal(triangles[faces, weights.argmax(axis=1)], locator.transfer(np.arange(len(points)), points[triangles].mean(axis=1), nearest=True))
     with pytest.raises(ValueError, match="rows are needed"):
         locator.transfer(names[1:], nearby, nearest=True)
+
+
+def test_lengths_of_the_vectors_of_a_map_do_not_matter() -> None:
+    sphere, triangles = sp.icosphere(2)
+    lengths = 1 + 0.3 * np.random.default_rng(1).random((len(sphere), 1))
+    directions = np.random.default_rng(2).normal(size=(50, 3))
+    faces, weights = sp.Locator(triangles, sphere).locate(directions)
+    same_faces, same_weights = sp.Locator(triangles, lengths * sphere).locate(directions)
+    assert np.array_equal(faces, same_faces)
+    assert np.allclose(weights, same_weights, rtol=0, atol=1e-12)

@@ -93,3 +93,21 @@ def test_notebook() -> None:
     nbclient.NotebookClient(notebook, timeout=300).execute()
     texts = [output.get("text", "") for cell in notebook.cells for output in cell.get("outputs", [])]
     assert any("valid spherical map" in text for text in texts)
+
+
+def test_read_mesh(tmp_path: Path) -> None:
+    freesurfer = pytest.importorskip("nibabel.freesurfer")
+    points, triangles = bumpy(1)
+    freesurfer.write_geometry(str(tmp_path / "lh.white"), points, triangles)
+    found = sp.read_mesh(tmp_path / "lh.white")
+    assert np.allclose(found[0], points, atol=1e-6) and (found[1] == triangles).all()
+    tetrahedron = "OFF 4 4 0 # in one line\n0 0 0 1 0 0\n1 0 0\n0 1 0\n\n0 0 1\n3 0 2 1 255 0 0\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
+    (tmp_path / "colours.off").write_text(tetrahedron)
+    assert sp.parameterize(*sp.read_mesh(tmp_path / "colours.off")).is_valid
+    for wrong in (tetrahedron[:-10], tetrahedron[1:], tetrahedron.replace("1 0 0", "1 0 x")):
+        (tmp_path / "wrong.off").write_text(wrong)
+        with pytest.raises(OSError, match="wrong.off"):
+            sp.read_mesh(tmp_path / "wrong.off")
+    with_seam = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nf 1/1 2/2 3/3\nf -3/4 -1/3 -2/2\n"
+    (tmp_path / "seam.obj").write_text(with_seam)
+    assert sp.read_mesh(tmp_path / "seam.obj")[1].tolist() == [[0, 1, 2], [0, 2, 1]]

@@ -34,14 +34,6 @@ def test_the_bytes_are_those_of_the_tool(name: str, tool: Tool, tmp_path: Path) 
     assert found.read_bytes() == expected.read_bytes()
 
 
-def test_a_surface_of_nibabel_is_read(tmp_path: Path) -> None:
-    freesurfer = pytest.importorskip("nibabel.freesurfer")
-    points, triangles = bumpy(1)
-    freesurfer.write_geometry(str(tmp_path / "lh.white"), points, triangles)
-    found = sp.read_mesh(tmp_path / "lh.white")
-    assert np.allclose(found[0], points, atol=1e-6) and (found[1] == triangles).all()
-
-
 def test_metadata_are_kept(tmp_path: Path) -> None:
     points, triangles = bumpy(2)
     plain, marked, again = (tmp_path / name for name in ("a.gii", "b.gii", "c.gii"))

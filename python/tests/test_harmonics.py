@@ -132,12 +132,16 @@ def test_maps_that_are_not_valid_are_refused() -> None:
         for fit in ("least-squares", "integrals"):
             with refused("NOT_BIJECTIVE"):
                 sp.harmonics(triangles, wrong, sphere, 4, fit=fit)
+    large, unit = (sp.harmonics(triangles, radius * sphere, sphere, 4).coefficients for radius in (100, 1))
+    assert np.allclose(large, unit)
 
 
 def test_wrong_arguments() -> None:
     sphere, triangles = sp.icosphere(1)
     for arguments, word in [
         (dict(degree=6), "42"),
+        (dict(degree=2, fit="lumped"), "fit"),
+        (dict(degree=2, weights="area"), "weights"),
         (dict(degree=2, weights="surface-area"), "points"),
         (dict(degree=2, accuracy=0), "accuracy"),
     ]:

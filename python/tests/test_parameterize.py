@@ -321,5 +321,6 @@ def test_memory_of_a_call(dtype: str) -> None:
 
 
 def test_progress_stops_short_calls_too() -> None:
-    with refused("INTERRUPTED", "before there was a map"):
+    with pytest.raises(sp.MeshError, match="before there was a map") as refused:
         sp.parameterize(*bumpy(2), progress=lambda fraction: False)
+    assert refused.value.code == "INTERRUPTED"

@@ -100,10 +100,11 @@ def atlas(
         else:
             refused[i] = str(result)
             codes.append(result.error)
+    if len(mapped) < 2:
+        wrong = "two or more shapes are needed" if mapped else "no mesh has a map"
+        reasons = [f"mesh {i}: {reason}" for i, reason in refused.items()]
+        raise MeshError(codes[0] if codes else ErrorCode.EMPTY_MESH, "; ".join([wrong, *reasons]))
     if template is None:
-        if not mapped:
-            reasons = [f"mesh {i}: {reason}" for i, reason in refused.items()]
-            raise MeshError(codes[0] if codes else ErrorCode.EMPTY_MESH, "; ".join(["no mesh has a map", *reasons]))
         template = min(mapped)
     if template not in mapped:
         raise ValueError(f"template: mesh {template} has no map: {refused.get(template, 'there is no such mesh')}")

@@ -131,6 +131,8 @@ def register_maps(
         raise ValueError(f"landmarks: shape (k, 2) is needed, not {pairs.shape}")
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= len(a) or pairs[:, 1].max() >= len(b)):
         raise ValueError("landmarks: there is no such vertex")
+    if any(len(set(column)) < len(column) for column in pairs.T.tolist()):
+        raise ValueError("landmarks: a vertex is listed twice")
     was_ctrl_c, registered, is_complete, start, margin, difference, trust, rotation, *figures = _core.register_maps(
         a, index_triples(triangles), sphere_vectors("sphere", sphere, len(a)),
         b, index_triples(other_triangles, "other_triangles"), sphere_vectors("other_sphere", other_sphere, len(b)),

@@ -109,10 +109,10 @@ def test_what_memory_did_not_suffice_for_is_tried_again(tmp_path: Path) -> None:
             raise MemoryError
         return len(path)
 
-    file, store = tmp_path / "a.off", tmp_path / "a.sqlite"
+    file, store = str(tmp_path / "a.off"), tmp_path / "a.sqlite"
     sp.write_mesh(file, *bumpy(1))
     assert sp.collection.map([file], length, store=store) == {"MemoryError": 1}
-    Path(f"{file}.memory").touch()
+    Path(file + ".memory").touch()
     assert sp.collection.map([file], length, store=store) == {"OK": 1}
 
 

@@ -130,9 +130,10 @@ private:
       lines_.refuse(no_off, remedy);
     std::string keyword(lines_.token());
     const std::size_t length = keyword.size();
-    for(const std::string prefix : {"C", "N", "ST", "C", "N"}) // columns behind the coordinates; MeshLab has NCSTOFF
-      if(keyword.rfind(prefix, 0) == 0)
-        keyword.erase(0, prefix.size());
+    for(int columns = 0; columns < 3; ++columns) // behind the coordinates, in any order: MeshLab has NCSTOFF
+      for(const std::string prefix : {"C", "N", "ST"})
+        if(keyword.rfind(prefix, 0) == 0)
+          keyword.erase(0, prefix.size());
     const bool has_columns = keyword.size() < length;
     if(keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
       lines_.refuse("is " + in_quotes(keyword) + ", whose points do not have three coordinates",

@@ -252,9 +252,9 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
     refuse(0, "a column has no name", "name all of them, and leave out numbers of lines (pandas: index=False)");
   std::vector<std::vector<std::string>> columns(names.size());
   for(std::size_t row = 1; !text.empty(); ++row) {
+    if(names.size() > 1 && text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+      break; // blank lines at the end
     std::vector<std::string> fields = next_fields(file, text);
-    if(text.empty() && names.size() > 1 && fields == std::vector<std::string>{""})
-      break; // a blank line at the end
     if(fields.size() != names.size())
       refuse(row,
              std::to_string(fields.size()) + " values, but the first line has " + std::to_string(names.size()) +

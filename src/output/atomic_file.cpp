@@ -39,10 +39,6 @@ std::string temporary_without_number(const std::string& file)
 
 Atomic_file::Atomic_file(const std::string& file) : file_(file)
 {
-  std::error_code none;
-  if(std::filesystem::is_symlink(file, none)) // the file that it leads to is replaced, and the link stays
-    if(const auto target = std::filesystem::weakly_canonical(file, none); !none)
-      file_ = target.string();
   if(file == standard_stream)
     keep_standard_output_for_data();
   open();

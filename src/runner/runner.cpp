@@ -415,9 +415,11 @@ int run(int argc, char** argv, const std::vector<Step>& all)
     return 0;
   }
   std::vector<std::string> words(argv + 1, argv + argc);
-  for(std::string& word : words)
-    if(word.size() > 1 && word.front() == '[' && word.back() == ']') // CLI11 takes it for a list
-      word.insert(0, "./");
+  for(std::string& word : words) {
+    const std::size_t begin = word.empty() || word[0] != '-' ? 0 : word.find('=') + 1; // of a name
+    if(word.size() > begin + 1 && word[begin] == '[' && word.back() == ']')            // CLI11 takes it for a list
+      word.insert(begin, "./");
+  }
   std::reverse(words.begin(), words.end());
   try {
     app.parse(std::move(words));         // the last one first

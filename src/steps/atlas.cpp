@@ -424,6 +424,10 @@ Work atlas_work()
     .of({"none", "centre", "rigid", "similarity"});
   options("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
   options("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
+  work.check = [own](const Request&) {
+    require(own->template_mesh != standard_stream, "--template",
+            "is read more than once, as the standard input cannot be; name a file");
+  };
   work.reads = [own](const Request&) { return Work::Files{{"--template", own->template_mesh}}; };
   work.writes = [own](const Request& request) {
     Work::Files files;

@@ -10,8 +10,8 @@
 
 namespace tool {
 
-/// From now on the first SIGINT or SIGTERM is only noted, so that work can end in good order. A second one kills.
-/// One that is ignored stays so.
+/// From now on the first SIGINT, SIGTERM or SIGHUP is only noted, so that work can end in good order. A second one
+/// kills. One that is ignored stays so.
 void watch_for_interruption();
 
 bool was_interrupted();

@@ -66,6 +66,12 @@ TEST_CASE("pointers are property maps, as Boost has them", "[property_maps]")
   CHECK(other[1] == sphere[1]);
   SP::face_dilatation(mesh, sphere.data(), dilatation.data());
   CHECK(*std::min_element(dilatation.begin(), dilatation.end()) >= 1);
+  std::vector<Kernel::Point_2> uv(num_halfedges(mesh));
+  SP::texture_coordinates(mesh, sphere.data(), uv.data());
+  CHECK(std::all_of(uv.begin(), uv.end(), [](const auto& p) { return p.y() >= 0 && p.y() <= 1; }));
+  const std::vector<Point> points(mesh.points().begin(), mesh.points().end());
+  const auto weights = SP::mean_value_weights(mesh, CGAL::parameters::vertex_point_map(points.data()));
+  REQUIRE(SP::parameterize(mesh, other.data(), CGAL::parameters::edge_weight_map(weights)));
 }
 
 TEMPLATE_TEST_CASE("any value type that is made from three numbers", "[property_maps]", Kernel::Point_3,

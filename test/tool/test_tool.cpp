@@ -452,19 +452,20 @@ TEST_CASE("map: outputs that cannot be written are reported", "[tool]")
   CHECK(scratch.number_of_files() == 1);
 }
 
-TEST_CASE("map: a link stays and the file that it leads to is replaced, with its permissions", "[tool]")
+TEST_CASE("map: a file that is replaced keeps its permissions, and what a link leads to stays", "[tool]")
 {
   Scratch scratch;
-  const std::string input = write_off(scratch / "in.off", icosphere(1)), link = scratch / "link.off";
+  const std::string input = write_off(scratch / "in.off", icosphere(1)), output = scratch / "out.off";
+  write_text(output, "old");
+  fs::permissions(output, fs::perms::owner_read | fs::perms::owner_write);
+  REQUIRE(run_tool({"map", input, "-o", output}).exit_code == 0);
+  CHECK(read(output).faces.size() == icosphere(1).faces.size());
+  CHECK(fs::status(output).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
   fs::create_directory(scratch / "folder");
-  write_text(scratch / "folder/out.off", "old");
-  fs::permissions(scratch / "folder/out.off", fs::perms::owner_read | fs::perms::owner_write);
-  fs::create_symlink("folder/out.off", link);
-  REQUIRE(run_tool({"map", input, "-o", link}).exit_code == 0);
-  CHECK(fs::read_symlink(link) == "folder/out.off");
-  CHECK(read(scratch / "folder/out.off").faces.size() == icosphere(1).faces.size());
-  CHECK(fs::status(link).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
-  CHECK(scratch.number_of_files() == 3);
+  write_text(scratch / "other.off", "another");
+  fs::create_symlink("../other.off", scratch / "folder/in.ply");
+  REQUIRE(run_tool({"map", input, "-o", scratch / "folder/"}).exit_code == 0);
+  CHECK(text_of(scratch / "other.off") == "another");
 }
 
 TEST_CASE("map: a name in brackets is a name", "[tool]")
@@ -476,7 +477,8 @@ TEST_CASE("map: a name in brackets is a name", "[tool]")
   write_off(scratch / "in.off", icosphere(2));
   fs::create_directory(scratch / "[in]");
   write_off(scratch / "[in]/a.off", icosphere(1));
-  REQUIRE(run_tool({"map", "[in.off]", "-o", "out.off"}, options).exit_code == 0);
+  REQUIRE(run_tool({"map", "[in.off]", "-o", "out.off", "--report=[report]"}, options).exit_code == 0);
+  CHECK(fs::exists(scratch / "[report]"));
   CHECK(read(scratch / "out.off").faces.size() == icosphere(1).faces.size());
   REQUIRE(run_tool({"map", "[in]", "-o", "out"}, options).exit_code == 0);
   CHECK(fs::exists(scratch / "out/a.ply"));

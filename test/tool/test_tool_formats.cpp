@@ -607,7 +607,7 @@ TEST_CASE("formats: dialects of other programs", "[tool][formats]")
 
   SECTION("columns of OFF in the order of MeshLab, or in another one")
   {
-    for(const std::string columns : {"NCST", "CST", "NC", "CN", "STCN"})
+    for(const std::string columns : {"NCST", "CST", "NC", "CN", "STCN", "STNC", "CSTN"})
       CHECK(triangles_of("in", columns + "OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n").size() == 1);
   }
   SECTION("pixels of VTK are listed row by row")

@@ -173,7 +173,7 @@ TEST_CASE("many: a run that was stopped goes on where it was", "[tool][many]")
   const std::string folder = make_folder(scratch, 4), out = scratch / "out";
   const Process_result whole = run_many({"map"}, folder, scratch / "whole", {"-j", "1"});
   const int rows = GENERATE(1, 5, 9);
-  const int signal = GENERATE(SIGKILL, SIGINT, SIGTERM);
+  const int signal = GENERATE(SIGKILL, SIGINT, SIGTERM, SIGHUP);
   Process_options options;
   options.meanwhile = [&](int pid) {
     wait_for_rows(out, rows);

@@ -80,9 +80,9 @@ struct Registration_result {
 
   /// \name Of the Registered Map, as It Is Stored
   /// @{
-  double mismatch_before = 0; ///< of the features of the rotated map, on the finest level: the root of the sum of
-                              ///< their mean squared differences, each times its weight
-                              ///< that was reached; 0 if the call ended before the deformation
+  double mismatch_before = 0; ///< root of the sum of the mean squared differences of the features, each times its
+                              ///< weight, of the rotated map, on the finest level that was reached; 0 if the call
+                              ///< ended before the deformation
   double mismatch = 0;        ///< the same of the registered map
   double distortion = 4; ///< mean symmetric Dirichlet energy of the deformation of the sphere, by determinants; 4: none
   /// Mean symmetric Dirichlet energy of the first surface onto the second: 4: none; 0: not deformed. Determinants below

@@ -52,10 +52,11 @@ auto vertex_density_map(const VertexDensityMap& density, const Others&... others
 } // namespace parameters
 
 namespace Spherical_parameterization {
-namespace internal {
 
 using boost::get; // of pointers, which are property maps
 using boost::put;
+
+namespace internal {
 
 template <class NamedParameters>
 struct Tag_of;

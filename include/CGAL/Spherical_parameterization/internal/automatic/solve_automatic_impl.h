@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -44,7 +45,8 @@ inline double shrunk_share(const Host_loop& loop, const Problem& problem, const 
   const double least = 4 * pi / whole / times / times; // area on the sphere, per area of the surface
   const std::vector<int> shrunk = faces_where(
     loop, problem.face,
-    [&](int f, const std::array<vec3, 3>& x) { return spherical_area(x[0], x[1], x[2]) < least * area(f); }, position);
+    [&](int f, const std::array<vec3, 3>& x) { return std::abs(spherical_area(x[0], x[1], x[2])) < least * area(f); },
+    position);
 
   // Faces with a common corner are of the same limb.
   std::vector<int> corners;
@@ -110,12 +112,14 @@ Solution Method_solver<Automatic>::solve(const Backend& backend, const Problem& 
     return (is_valid && !is_extreme) || monitor.is_interrupted();
   };
   const bool has_springs = problem.graph != nullptr; // none with densities, nor where a face has no area for a weight
-  // Whose limbs are of no use in the end gains nothing by mending.
-  const auto is_extreme = [&](const Host_array<vec3>& x) {
-    return shrunk_share(backend.host_loop(), problem, x, method_.largest_shrinkage) > negligible_share;
+  // Limbs that are of no use now are of none when they have been mended. On small meshes that is tried all the same.
+  const auto is_hopeless = [&](const Host_array<vec3>& x) {
+    constexpr int small_size = 10000;
+    return problem.size() > small_size &&
+           shrunk_share(backend.host_loop(), problem, x, method_.largest_shrinkage) > negligible_share;
   };
   if(!has_springs ||
-     !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}, is_extreme), effort, 0, 0.5))
+     !try_method(Method_solver<Balanced>(Balanced{method_.spring_exponent}, is_hopeless), effort, 0, 0.5))
     try_method(Method_solver<Isometric>(Isometric{method_.area_exponent}), Effort(), // what was given is for springs
                has_springs ? 0.5 : 0, 1);
   if((best.error != Error_code::OK || is_best_extreme) && best.error != Error_code::INTERRUPTED &&

@@ -129,10 +129,10 @@ TEST_CASE("signature: the standard input is another mesh every time", "[tool][si
   for(const Soup& soup : {bumpy_sphere(2), icosphere(2)}) {
     const std::string in = write_off(scratch / "in.off", soup);
     const std::string command = "'" + std::string(TOOL) + "' signature - -o '" + index + "' < '" + in + "'";
-    REQUIRE(run_process({"sh", "-c", command}).exit_code == 0);
+    REQUIRE(run_process({"/bin/sh", "-c", command}).exit_code == 0);
     const Process_result run = run_tool({"search", in, "--index", index});
     CAPTURE(run.out);
-    CHECK(run.out.rfind("0.0000", 0) == 0);
+    CHECK(run.out.find(" 0.0000  -") != std::string::npos);
   }
 }
 

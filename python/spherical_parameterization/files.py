@@ -101,7 +101,7 @@ def _for_core(columns: Sequence[VertexColumn], size: int | None = None) -> list[
             raise ValueError("columns: a name is empty")
         size = np.size(np.asarray(column.values)) if size is None else size
         values = numbers(column.name, column.values, size)
-        are_keys = np.isnan(values) | ((values == np.round(values)) & (abs(values) < 2**31))
+        are_keys = np.isnan(values) | ((values == np.round(values)) & (values >= -(2**31)) & (values < 2**31))
         if column.labels is not None and not are_keys.all():
             raise ValueError(f"{column.name}: the values of labels are integers, or NaN where there is none")
         result.append((column.name.encode(), values, _table(column)))

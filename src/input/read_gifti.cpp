@@ -6,7 +6,9 @@
 #include "input/text_lines.h"
 #include "input/xml.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace tool {
@@ -48,19 +50,22 @@ public:
       soup_.annotations.gifti_transforms.push_back({transform.child_value("DataSpace"),
                                                     transform.child_value("TransformedSpace"),
                                                     transform.child_value("MatrixData")});
+    const std::optional<std::vector<int>> rows = vertices_of_rows(soup_.points.size());
     for(const pugi::xml_node array : root_.children("DataArray"))
-      if(is_column(array) && count_of(file_, array, "Dim0") == soup_.points.size())
-        soup_.data.push_back(column(array));
+      if(is_column(array) && count_of(file_, array, "Dim0") == (rows ? rows->size() : soup_.points.size()))
+        soup_.data.push_back(column(array, rows, soup_.points.size()));
     return std::move(soup_);
   }
 
-  Vertex_data data() const
+  /// \param vertices  their number
+  Vertex_data data(std::size_t vertices) const
   {
     Vertex_data data;
+    const std::optional<std::vector<int>> rows = vertices_of_rows(vertices);
     for(const pugi::xml_node array : root_.children("DataArray"))
       if(is_column(array))
-        data.push_back(column(array));
-      else if(!is(array, pointset) && !is(array, triangle))
+        data.push_back(column(array, rows, vertices));
+      else if(!is(array, pointset) && !is(array, triangle) && !is(array, indices))
         refuse("has an array that is not one number per vertex (" + std::string(array.attribute("Intent").value()) +
                  ')',
                "give one array for each column");
@@ -70,13 +75,14 @@ public:
 private:
   static constexpr const char* pointset = "NIFTI_INTENT_POINTSET";
   static constexpr const char* triangle = "NIFTI_INTENT_TRIANGLE";
+  static constexpr const char* indices = "NIFTI_INTENT_NODE_INDEX";
 
   static bool is(pugi::xml_node array, std::string_view intent) { return array.attribute("Intent").value() == intent; }
 
   static bool is_column(pugi::xml_node array)
   {
     const std::string_view dimensions = array.attribute("Dimensionality").value();
-    return !is(array, pointset) && !is(array, triangle) &&
+    return !is(array, pointset) && !is(array, triangle) && !is(array, indices) &&
            (dimensions == "1" || (dimensions == "2" && array.attribute("Dim1").value() == std::string_view("1")));
   }
 
@@ -194,7 +200,28 @@ private:
     });
   }
 
-  Vertex_column column(pugi::xml_node array) const
+  /// The vertex of each row of the columns, where there is an array of these.
+  std::optional<std::vector<int>> vertices_of_rows(std::size_t vertices) const
+  {
+    const auto arrays = root_.children("DataArray");
+    const auto array = std::find_if(arrays.begin(), arrays.end(), [](pugi::xml_node a) { return is(a, indices); });
+    if(array == arrays.end())
+      return std::nullopt;
+    std::vector<int> result;
+    std::vector<bool> is_known(vertices, false);
+    read_numbers(*array, count_of(file_, *array, "Dim0"), 1, [&](std::size_t, std::size_t, double value) {
+      if(!is_key(value) || value < 0 || value >= static_cast<double>(vertices) || is_known[place(value)])
+        refuse("has the values of vertex " + std::to_string(value) + ", which does not exist or is there twice",
+               "give the data of this mesh");
+      is_known[place(value)] = true;
+      result.push_back(static_cast<int>(value));
+    });
+    return result;
+  }
+
+  /// \param vertex_of_row  if rows are not in the order of the vertices; others have no value
+  Vertex_column column(pugi::xml_node array, const std::optional<std::vector<int>>& vertex_of_row,
+                       std::size_t vertices) const
   {
     Vertex_column column = {name_of_column(file_), {}, is(array, "NIFTI_INTENT_LABEL")};
     for(const auto& [name, value] : metadata_of(array))
@@ -211,8 +238,19 @@ private:
         refuse("a label has the key " + std::to_string(value), "save its keys as integers");
       column.values.push_back(keys.empty() || keys.count(value) > 0 ? value : std::nan(""));
     });
+    if(!vertex_of_row)
+      return column;
+    if(vertex_of_row->size() != column.values.size())
+      refuse("has " + std::to_string(column.values.size()) + " values in a column for " +
+             std::to_string(vertex_of_row->size()) + " vertices");
+    std::vector<double> values(vertices, std::nan(""));
+    for(std::size_t i = 0; i < vertex_of_row->size(); ++i)
+      values[place((*vertex_of_row)[i])] = column.values[i];
+    column.values = std::move(values);
     return column;
   }
+
+  static std::size_t place(double vertex) { return static_cast<std::size_t>(vertex); }
 
   static bool is_key(double value)
   {
@@ -250,9 +288,9 @@ private:
 
 Soup read_gifti(const std::string& file, std::string text) { return Gifti_reader(file, text).surface(); }
 
-Vertex_data read_gifti_data(const std::string& file, const std::string& text)
+Vertex_data read_gifti_data(const std::string& file, const std::string& text, std::size_t number_of_vertices)
 {
-  return Gifti_reader(file, text).data();
+  return Gifti_reader(file, text).data(number_of_vertices);
 }
 
 } // namespace tool

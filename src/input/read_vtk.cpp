@@ -78,7 +78,8 @@ protected:
       Vertex_column column = {(name.empty() ? "data" : name) + component, {}, type.is_integer && type.size >= 4};
       for(std::size_t i = k; i < values.size(); i += components) {
         column.values.push_back(values[i]);
-        column.is_label = column.is_label && std::abs(values[i]) <= std::numeric_limits<int>::max();
+        column.is_label = column.is_label && values[i] >= std::numeric_limits<int>::min() &&
+                          values[i] <= std::numeric_limits<int>::max();
       }
       soup_.data.push_back(std::move(column));
     }

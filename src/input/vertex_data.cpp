@@ -201,7 +201,8 @@ std::vector<std::string> next_fields(const std::string& file, std::string_view& 
     has_quotes = false;
   };
   std::size_t i = 0;
-  for(; i < text.size() && (is_quoted || text[i] != '\n'); ++i)
+  const auto is_end_of_line = [&](char c) { return c == '\n' || (c == '\r' && text.substr(i + 1, 1) != "\n"); };
+  for(; i < text.size() && (is_quoted || !is_end_of_line(text[i])); ++i)
     if(text[i] == '"' && is_quoted && text.substr(i + 1, 1) == "\"")
       fields.back() += text[++i];
     else if(text[i] == '"') {
@@ -240,10 +241,11 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
     refuse_file(file, (row == 0 ? "the first line: " : "vertex " + std::to_string(row - 1) + ": ") + wrong, remedy);
   };
   text = without_mark(text);
-  const std::string_view first_line = text.substr(0, text.find('\n'));
+  const std::string_view first_line = text.substr(0, text.find_first_of("\r\n"));
   const std::vector<std::string> names = next_fields(file, text);
   double value = 0;
-  if(std::all_of(names.begin(), names.end(), [&value](const std::string& name) { return is_number(name, value); }))
+  if(first_line.find('"') == std::string_view::npos &&
+     std::all_of(names.begin(), names.end(), [&value](const std::string& name) { return is_number(name, value); }))
     refuse(0, "there are only numbers", "begin with a line of names");
   if(names.size() == 1 && first_line.find('"') == std::string_view::npos &&
      names[0].find_first_of(";\t") < names[0].size())
@@ -267,7 +269,9 @@ Vertex_data read_csv(const std::string& file, std::string_view text)
   for(std::size_t k = 0; k < names.size(); ++k) {
     data.push_back({names[k], std::vector<double>(columns[k].size(), none)});
     Vertex_column& column = data.back();
-    const auto is_nothing = [](const std::string& word) { return word.empty() || word == "NA"; };
+    const auto is_nothing = [](const std::string& word) {
+      return word.empty() || word == "NA" || lower_case(word) == "nan";
+    };
     for(std::size_t v = 0; v < column.values.size(); ++v)
       if(!is_nothing(columns[k][v]) && !is_number(columns[k][v], column.values[v]))
         column.is_label = true;
@@ -298,7 +302,7 @@ std::optional<Vertex_data> read_data(const std::string& file, std::string& bytes
   if(is_curv(bytes))
     return Vertex_data{read_curv(file, bytes)};
   if(format_of_content(bytes, bytes.size()) == Mesh_format::GIFTI)
-    return read_gifti_data(file, bytes);
+    return read_gifti_data(file, bytes, vertices);
   return std::nullopt;
 }
 

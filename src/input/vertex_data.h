@@ -43,8 +43,8 @@ void add_label(Vertex_column& column, int key, const std::string& name);
 /// another number of vertices, throws a `Refusal`.
 Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vertices);
 
-/// The same of a GIFTI file, of any number of vertices.
-Vertex_data read_gifti_data(const std::string& file, const std::string& text);
+/// The same of a GIFTI file, whose columns may have any length, unless it names the vertices that they are of.
+Vertex_data read_gifti_data(const std::string& file, const std::string& text, std::size_t number_of_vertices);
 
 /// What a column is called that has no name but that of its file: "thickness" of lh.thickness.
 std::string name_of_column(const std::string& file);

@@ -186,10 +186,13 @@ std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& 
   const Soup& soup = prepared.soup;
   const Glued_surface& surface = prepared.preparation.parts.front();
   const std::vector<int> nearest = nearest_faces(soup, surface);
-  std::vector<std::vector<std::size_t>> parts(soup.triangles.size()); // several where sides were split
-  for(std::size_t g = 0; g < surface.faces.size(); ++g)
-    if(const int f = surface.old_face[g]; f != Glued_surface::none)
-      parts[place(f)].push_back(g);
+  std::vector<std::vector<std::size_t>> parts; // of the faces of the file, where sides were split
+  if(prepared.preparation.split_edges > 0) {
+    parts.resize(soup.triangles.size());
+    for(std::size_t g = 0; g < surface.faces.size(); ++g)
+      if(const int f = surface.old_face[g]; f != Glued_surface::none)
+        parts[place(f)].push_back(g);
+  }
 
   const auto at = [&](std::size_t g, std::size_t corner) { // the halfedge that ends there
     return coordinates[3 * g + (corner + 2) % 3];
@@ -215,7 +218,7 @@ std::vector<std::pair<double, double>> coordinates_of_file(const Prepared_mesh& 
         uv.second += weights[i] * at(g, i).second;
       }
       const int owner = surface.old_face[g]; // f, or of a face that was removed the one beside it
-      if(owner == Glued_surface::none || std::find(corners.begin(), corners.end(), p) != corners.end())
+      if(parts.empty() || owner == Glued_surface::none || std::find(corners.begin(), corners.end(), p) != corners.end())
         continue;
       for(const std::size_t part : parts[place(owner)])
         for(std::size_t i = 0; i < 3; ++i)

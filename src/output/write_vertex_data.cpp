@@ -5,6 +5,7 @@
 #include "input/compression.h"
 #include "input/files.h"
 #include "input/mesh_format.h"
+#include "input/text_lines.h"
 #include "output/text_writer.h"
 #include "system/refusal.h"
 
@@ -35,7 +36,9 @@ void write_csv(std::ostream& out, const Vertex_data& data)
   Text_writer write(out);
   std::vector<std::map<int, std::string>> words;
   for(const Vertex_column& column : data) {
-    write(words.empty() ? "" : ",", csv_quoted(column.name));
+    double number = 0; // a name in quotes is none
+    write(words.empty() ? "" : ",",
+          to_number(column.name, number) == Number::NONE ? csv_quoted(column.name) : '"' + column.name + '"');
     words.emplace_back();
     for(const Label& label : column.table)
       words.back()[label.key] = csv_quoted(label.name);

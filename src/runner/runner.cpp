@@ -309,8 +309,13 @@ private:
     if(!request_.file().empty()) {
       const std::string name = request_.file() + '/' + item.name;
       for(auto& [option, file] : one.outputs)
-        if(option != "--output" && !file.empty())
-          file = name + '.' + file;
+        if(option != "--output" && !file.empty()) {
+          const fs::path place = name;
+          const std::string side = file.substr(0, 3); // FreeSurfer's names begin with it
+          file = side == "lh." || side == "rh."
+                   ? (place.parent_path() / (side + place.filename().string() + file.substr(2))).string()
+                   : name + '.' + file;
+        }
       one.outputs["--output"] = first.kind == Output::FOLDER ? ""
                                 : !request_.format.empty()   ? name + extension_of_format(request_.format)
                                 : first.extensions.empty()   ? name + ".ply"

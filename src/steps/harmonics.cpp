@@ -4,6 +4,7 @@
 
 #include "input/compression.h"
 #include "input/files.h"
+#include "preparation/points.h"
 #include "preparation/prepare.h"
 #include "system/interruption.h"
 
@@ -70,11 +71,9 @@ std::vector<Point> reconstructed(const Mapped_mesh& input, const SP::Harmonic_co
 void move_to_ellipsoid(const SP::First_order_ellipsoid& ellipsoid, std::vector<Point>& points)
 {
   for(Point& p : points) {
-    const Point from_centre = {p[0] - ellipsoid.centre[0], p[1] - ellipsoid.centre[1], p[2] - ellipsoid.centre[2]};
-    for(std::size_t k = 0; k < 3; ++k) {
-      const auto& axis = ellipsoid.axes[k];
-      p[k] = axis[0] * from_centre[0] + axis[1] * from_centre[1] + axis[2] * from_centre[2];
-    }
+    const Point from_centre = minus(p, ellipsoid.centre);
+    for(std::size_t k = 0; k < 3; ++k)
+      p[k] = dot(ellipsoid.axes[k], from_centre);
   }
 }
 
@@ -201,9 +200,8 @@ Step harmonics_step()
      {"--reconstruct", "Write the shape of the coefficients, with the vertices and faces of IN", {}, Output::MESH}},
     harmonics_work,
     "harmonics bunny.ply -o bunny.csv --degree 32",
-    "The report has the errors by degree, with Hausdorff distances, the power spectrum and, of the shape where IN is, "
-    "the "
-    "ellipsoid."};
+    "The report has the errors by degree, with Hausdorff distances, the power spectrum and the ellipsoid of the shape "
+    "where IN is."};
 }
 
 } // namespace tool

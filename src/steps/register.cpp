@@ -5,7 +5,9 @@
 #include "output/text_writer.h"
 #include "runner/pair.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <sstream>
 
 namespace tool {
@@ -21,6 +23,17 @@ void write_correspondence(std::ostream& out, const std::vector<Place>& places)
   }
 }
 
+/// Those of A for points in the space of B.
+Annotations in_space_of(const Annotations& b, Annotations a)
+{
+  a.freesurfer = b.freesurfer;
+  a.gifti_transforms = b.gifti_transforms;
+  const auto is_of_space = [](const auto& entry) { return entry.first.compare(0, 7, "VolGeom") == 0; };
+  a.gifti_points.erase(std::remove_if(a.gifti_points.begin(), a.gifti_points.end(), is_of_space), a.gifti_points.end());
+  std::copy_if(b.gifti_points.begin(), b.gifti_points.end(), std::back_inserter(a.gifti_points), is_of_space);
+  return a;
+}
+
 void register_meshes(const Registration_options& options, Run& run)
 {
   Registered_pair pair;
@@ -28,8 +41,9 @@ void register_meshes(const Registration_options& options, Run& run)
   register_pair(options, pair);
 
   run.data = pair.a.file->data;
-  run.annotations = pair.a.file->annotations;
+  run.annotations = in_space_of(pair.b.file->annotations, pair.a.file->annotations);
   run.write("--output", pair.a.mesh(), pair.points_on_b, Surface::SHAPE);
+  run.annotations = pair.a.file->annotations;
   if(run.has("--output-sphere")) {
     certify_as_stored(run.file("--output-sphere"), run.mesh_format("--output-sphere").format, pair.a, pair.registered);
     run.write("--output-sphere", pair.a.mesh(), pair.registered, Surface::SPHERE);

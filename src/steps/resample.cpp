@@ -53,7 +53,7 @@ std::vector<double> areas(const Policy& policy, const Resample_options& options,
 {
   if(options.areas.empty())
     return SP::mean_vertex_areas(policy, mesh, std::vector<SP::Shape_points>{points});
-  const Mesh surface = read_mesh(options.areas[file]).mesh;
+  const Mesh surface = read_mesh(options.areas[file], Polygons::TRIANGULATE).mesh;
   if(surface.number_of_vertices() != mesh.number_of_vertices())
     throw Refusal(not_the_sphere, options.areas[file],
                   "has " + std::to_string(surface.number_of_vertices()) + " vertices instead of " +

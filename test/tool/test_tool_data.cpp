@@ -629,6 +629,50 @@ TEST_CASE("data: blanks beside commas are no part of numbers and names", "[tool]
   CHECK_THROWS_WITH(tool::read_vertex_data(scratch / "in.csv", 2), Catch::Contains("separate columns by commas"));
 }
 
+TEST_CASE("data: rows of GIFTI go to the vertices that an array of indices names", "[tool][data]")
+{
+  Scratch scratch;
+  const auto array = [](const std::string& intent, const std::string& type, const std::string& numbers) {
+    return "<DataArray Intent=\"NIFTI_INTENT_" + intent + "\" DataType=\"NIFTI_TYPE_" + type +
+           "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"1\" Dim0=\"2\" Encoding=\"ASCII\" "
+           "Endian=\"LittleEndian\" ExternalFileName=\"\" ExternalFileOffset=\"\"><Data>" +
+           numbers + "</Data></DataArray>";
+  };
+  const auto read = [&](const std::string& indices) {
+    write_text(scratch / "in.shape.gii", "<?xml version=\"1.0\"?><GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">" +
+                                           array("NODE_INDEX", "INT32", indices) +
+                                           array("SHAPE", "FLOAT32", "1.5 2.5") + "</GIFTI>");
+    return tool::read_vertex_data(scratch / "in.shape.gii", 4);
+  };
+  const tool::Vertex_data data = read("3 0");
+  REQUIRE(data.size() == 1);
+  REQUIRE(data[0].values.size() == 4);
+  CHECK((data[0].values[0] == 2.5 && data[0].values[3] == 1.5));
+  CHECK((std::isnan(data[0].values[1]) && std::isnan(data[0].values[2])));
+  for(const char* wrong : {"3 3", "3 4", "-1 0", "1.5 0"})
+    CHECK_THROWS_AS(read(wrong), tool::Refusal);
+}
+
+TEST_CASE("data: words and lines of CSV files of other programs", "[tool][data]")
+{
+  Scratch scratch;
+  const auto read = [&](const std::string& text) {
+    write_text(scratch / "in.csv", text);
+    return tool::read_vertex_data(scratch / "in.csv", 2);
+  };
+  const tool::Vertex_data words = read("a\nfront\nNaN\n");
+  CHECK((words[0].is_label && words[0].table.size() == 1 && std::isnan(words[0].values[1])));
+  CHECK(read("a,b\r1,2\r3,4\r").at(1).values == std::vector<double>{2, 4});
+  tool::Vertex_data numbers = read("\"1\",\"2\"\n1,2\n3,4\n");
+  CHECK(numbers.at(1).name == "2");
+  write_data(scratch / "out.csv", numbers);
+  CHECK(tool::read_vertex_data(scratch / "out.csv", 2).at(0).values == std::vector<double>{1, 3});
+  write_text(scratch / "in.vtk", "# vtk DataFile Version 3.0\nlabels\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+                                 "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\nSCALARS key int 1\n"
+                                 "LOOKUP_TABLE default\n-2147483648 3 2147483647\n");
+  CHECK(tool::read_vertex_data(scratch / "in.vtk", 3).at(0).is_label);
+}
+
 TEST_CASE("data: the largest key has no successor, which .annot has, too", "[tool][data]")
 {
   Scratch scratch;

@@ -59,6 +59,8 @@ def file_name(name: str, value: object) -> bytes:
     if not isinstance(value, (str, bytes, os.PathLike)):
         raise wrong_type(name, "the name of a file", value)
     file = os.fsencode(value)
+    if b"\0" in file:
+        raise ValueError(f"{name}: a name has no zero byte")
     return b"./-" if file == b"-" else file
 
 
@@ -81,7 +83,8 @@ def check(function: Callable[..., object] | type, arguments: Mapping[str, object
             raise ValueError(f"{name}: a number of at most 1.8e308 is needed")
         low, high = _RANGES.get(name, (0, 2**31 - 1) if kind == "int" else (-math.inf, math.inf))
         if kind in ("int", "float") and not low <= value <= high:
-            raise ValueError(f"{name}: {low:g} to {high:.10g} is needed, not {value}")
+            needed = "a number" if low == -math.inf else f"{low:g} to {high:.10g}"
+            raise ValueError(f"{name}: {needed} is needed, not {value}")
 
 
 def one_of(option: str, value: object, *allowed: str) -> None:

@@ -64,7 +64,7 @@ def atlas(
     Raises
     ------
     ValueError
-        If the template cannot be mapped.
+        If there are fewer than two meshes, or the template cannot be mapped.
     MeshError
         If fewer than two meshes can be mapped and registered.
 
@@ -100,10 +100,12 @@ def atlas(
         else:
             refused[i] = str(result)
             codes.append(result.error)
+    if len(mapped) < 2 and not refused:
+        raise ValueError(f"meshes: two or more are needed, not {len(mapped)}")
     if len(mapped) < 2:
         wrong = "two or more shapes are needed" if mapped else "no mesh has a map"
         reasons = [f"mesh {i}: {reason}" for i, reason in refused.items()]
-        raise MeshError(codes[0] if codes else ErrorCode.EMPTY_MESH, "; ".join([wrong, *reasons]))
+        raise MeshError(codes[0], "; ".join([wrong, *reasons]))
     if template is None:
         template = min(mapped)
     if template not in mapped:

@@ -356,6 +356,8 @@ def _mapped(
     method = chosen("method", method, METHODS)
     if start is not None and not (isinstance(method, SaddlePoint) and method.start == "given"):
         raise ValueError("start: only SaddlePoint(start='given') starts from a map")
+    if start is None and isinstance(method, SaddlePoint) and method.start == "given":
+        raise ValueError("start: SaddlePoint(start='given') needs a map")
     sphere = np.zeros_like(points) if start is None else sphere_vectors("start", start, len(points)).copy()
     is_fixed = None if fixed is None else _fixed(fixed, sphere)
     if isinstance(policy, str):

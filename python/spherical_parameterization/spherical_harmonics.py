@@ -280,7 +280,7 @@ def _of(other: object) -> Harmonics:
 
 
 def _format_of(file: str | os.PathLike[str]) -> str:
-    path = Path(file)
+    path = Path(os.fsdecode(file_name("file", file)))
     if path.suffix.lower() in (".gz", ".xz", ".zst", ".bz2"):
         path = path.with_suffix("")
     extension = path.suffix[1:].lower()
@@ -313,8 +313,9 @@ def read_harmonics(file: str | os.PathLike[str]) -> Harmonics:
     text = _core.read_text(file_name("file", file))
     try:
         return Harmonics(_core.harmonics_of_text(text, extension))
-    except RuntimeError as error:
-        raise ValueError(f"{os.fspath(file)}: {error}") from None
+    except RuntimeError as error:  # without a message where that quotes bytes that are no UTF-8
+        wrong = str(error) or "no file of harmonic coefficients"
+        raise ValueError(f"{os.fsdecode(file)}: {wrong}") from None
 
 
 def harmonics(

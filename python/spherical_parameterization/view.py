@@ -84,7 +84,7 @@ def view(
         raise MeshError(ErrorCode.NOT_BIJECTIVE, text)
     mesh = points, triangles, images
     report = {
-        "input": name, "vertices": len(points), "faces": len(triangles), "error": None, "error_code": "OK",
+        "input": name.encode(errors="replace").decode(), "vertices": len(points), "faces": len(triangles), "error": None, "error_code": "OK",
         **asdict(certificate), "distortion": asdict(distortion(*mesh, policy=policy)),
     }
     if result is not None:

@@ -121,10 +121,14 @@ void write_mesh(const std::string& file, const Doubles& points, const py::array&
   });
 }
 
-std::string read_text(const std::string& file)
+py::bytes read_text(const std::string& file)
 {
-  const py::gil_scoped_release no_lock;
-  return tool::decompressed(file, tool::read_file(file));
+  std::string text;
+  {
+    const py::gil_scoped_release no_lock;
+    text = tool::decompressed(file, tool::read_file(file));
+  }
+  return text;
 }
 
 void write_text(const std::string& file, const std::string& text)

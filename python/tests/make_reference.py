@@ -38,10 +38,12 @@ def entry(name: str) -> str:
     doc = NumpyDocString(text)
     parts = [f"### sp.{name}"]
     if inspect.isroutine(inspect.unwrap(thing)):  # type: ignore[arg-type]
-        arguments = [str(p.replace(annotation=p.empty)) for p in inspect.signature(thing).parameters.values()]  # type: ignore[arg-type]
-        parts.append(f"```python\nsp.{name}({', '.join(arguments)})\n```")
+        signature = inspect.signature(thing)  # type: ignore[arg-type]
+        arguments = [p.replace(annotation=p.empty) for p in signature.parameters.values()]
+        call = signature.replace(parameters=arguments, return_annotation=signature.empty)
+        parts.append(f"```python\nsp.{name}{call}\n```")
     parts.append("\n".join(doc["Summary"] + [""] * bool(doc["Extended Summary"]) + doc["Extended Summary"]))
-    for title in ("Parameters", "Attributes", "Returns", "Yields", "Raises"):
+    for title in ("Parameters", "Attributes", "Returns", "Yields", "Raises", "Warns"):
         if doc[title]:
             parts += [f"**{title}**", "\n".join(map(item, doc[title]))]
     for title in ("Notes", "References"):
@@ -52,7 +54,8 @@ def entry(name: str) -> str:
 
 
 def methods(name: str) -> list[str]:
-    return [f"{name}.{m}" for m, f in vars(find(name)).items() if inspect.isfunction(f) and not m.startswith("_")]
+    members = {m: f for m, f in vars(find(name)).items() if not m.startswith("_") and inspect.getdoc(f)}
+    return [f"{name}.{m}" for m, f in members.items() if inspect.isfunction(f) or isinstance(f, property)]
 
 
 def page() -> str:
@@ -62,7 +65,7 @@ def page() -> str:
         parts.append(f"## {title}\n")
         for name in names:
             parts.append(entry(name))
-            parts += [entry(m) for m in methods(name) if name in ("Eigenpairs", "Harmonics", "Locator", "Resampling")]
+            parts += map(entry, methods(name))
     return "\n".join(parts).rstrip()
 
 

@@ -121,6 +121,7 @@ def test_every_argument_of_every_function(function: Any, given: dict[str, object
         ({"maximum_running_time": float("nan")}, ValueError, "maximum_running_time: 0 to inf is needed, not nan"),
         ({"start": SPHERE}, ValueError, r"start: only SaddlePoint\(start='given'\)"),
         ({"start": SPHERE, "method": sp.SaddlePoint()}, ValueError, "start: only"),
+        ({"method": sp.SaddlePoint(start="given")}, ValueError, "start: .* needs a map"),
         ({"progress": lambda fraction: 1 / 0}, ZeroDivisionError, "division by zero"),
     ],
 )

@@ -88,6 +88,12 @@ def test_content_decides_about_the_format(tmp_path: Path) -> None:
     assert np.array_equal(sp.read_mesh(tmp_path / "a.off")[0], points)
 
 
+def test_names_have_no_zero_byte(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="path: a name has no zero byte"):
+        sp.write_mesh(f"{tmp_path}/a.off\0.off", *bumpy(1))
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_file_may_be_called_like_the_standard_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     points, triangles = bumpy(2)

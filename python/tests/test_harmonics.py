@@ -92,10 +92,13 @@ def test_files(tmp_path: Path, extension: str) -> None:
     given.save(file)
     assert abs(sp.read_harmonics(file).coefficients - given.coefficients).max() < 1e-15
     packed = tmp_path / f"a.{extension}.gz"
-    given.save(packed)
+    given.save(os.fsencode(packed))
     assert np.array_equal(sp.read_harmonics(packed).coefficients, sp.read_harmonics(file).coefficients)
     packed.unlink()
     file.write_text("nonsense")
+    with pytest.raises(ValueError, match="no file of harmonic coefficients"):
+        sp.read_harmonics(file)
+    file.write_bytes(b"\xff\xfe")
     with pytest.raises(ValueError, match="no file of harmonic coefficients"):
         sp.read_harmonics(file)
     with pytest.raises(ValueError, match="extension"):

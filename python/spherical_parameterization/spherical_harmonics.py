@@ -280,10 +280,7 @@ def _of(other: object) -> Harmonics:
 
 
 def _format_of(file: str | os.PathLike[str]) -> str:
-    path = Path(os.fsdecode(file_name("file", file)))
-    if path.suffix.lower() in (".gz", ".xz", ".zst", ".bz2"):
-        path = path.with_suffix("")
-    extension = path.suffix[1:].lower()
+    extension = Path(os.fsdecode(_core.without_compression(file_name("file", file)))).suffix[1:].lower()
     one_of("extension", extension, "csv", "json", "coef")
     return extension
 

@@ -185,6 +185,7 @@ void add_files(py::module_& module)
   module.def("read_data", read_data);
   module.def("write_data", write_data);
   module.def("is_format_known", [](const std::string& file) { return tool::is_format_known(file); });
+  module.def("without_compression", [](const std::string& file) { return py::bytes(tool::without_compression(file)); });
   module.def("version", version);
   py::class_<Store>(module, "Store")
     .def(py::init<const std::string&>())

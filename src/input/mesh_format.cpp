@@ -44,9 +44,7 @@ std::optional<Mesh_format> format_of_magic(std::string_view bytes)
   const std::string_view word = next_token(rest);
   if(word == "ply")
     return Mesh_format::PLY;
-  constexpr std::size_t longest_off = 7; // with columns of colours, normals and textures
-  if(word.size() <= longest_off && word.size() >= 3 && word.substr(word.size() - 3) == "OFF" &&
-     word.find_first_not_of("CNSTOF") == std::string_view::npos)
+  if(without_off_columns(word) == "OFF")
     return Mesh_format::OFF;
   const std::string_view start = bytes.substr(0, 4096);
   if(begins_with(word, "<") && contains(start, "<GIFTI"))
@@ -151,6 +149,15 @@ std::optional<Mesh_format> format_of_content(std::string_view bytes, std::size_t
   if(is_binary_stl(bytes, size) || is_text_stl(bytes))
     return Mesh_format::STL;
   return is_obj(bytes) ? std::optional(Mesh_format::OBJ) : std::nullopt;
+}
+
+std::string_view without_off_columns(std::string_view word)
+{
+  for(int columns = 0; columns < 3; ++columns)
+    for(const std::string_view column : {"C", "N", "ST"})
+      if(begins_with(word, column))
+        word.remove_prefix(column.size());
+  return word;
 }
 
 std::string without_extension(const std::string& file)

@@ -37,6 +37,10 @@ std::string without_extension(const std::string& file);
 /// its header announces. `bytes` may be the beginning of a file of `size` bytes.
 std::optional<Mesh_format> format_of_content(std::string_view bytes, std::size_t size);
 
+/// The first word of an OFF file without the letters of columns behind the coordinates (colours, normals, textures),
+/// which stand in any order: MeshLab has NCSTOFF.
+std::string_view without_off_columns(std::string_view word);
+
 /// The names that files of meshes may have, for messages.
 inline const char* const mesh_names = ".off, .obj, .ply, .gii, .vtk, .vtp, .glb, .gltf or lh.NAME (FreeSurfer)";
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "input/binary.h"
+#include "input/mesh_format.h"
 #include "input/mesh_readers.h"
 #include "input/text_lines.h"
 #include "input/text_pieces.h"
@@ -128,13 +129,8 @@ private:
     const std::string remedy = "check that this is an OFF file";
     if(!lines_.next())
       lines_.refuse(no_off, remedy);
-    std::string keyword(lines_.token());
-    const std::size_t length = keyword.size();
-    for(int columns = 0; columns < 3; ++columns) // behind the coordinates, in any order: MeshLab has NCSTOFF
-      for(const std::string prefix : {"C", "N", "ST"})
-        if(keyword.rfind(prefix, 0) == 0)
-          keyword.erase(0, prefix.size());
-    const bool has_columns = keyword.size() < length;
+    const std::string_view word = lines_.token(), keyword = without_off_columns(word);
+    const bool has_columns = keyword.size() < word.size();
     if(keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
       lines_.refuse("is " + in_quotes(keyword) + ", whose points do not have three coordinates",
                     "save it as plain OFF");

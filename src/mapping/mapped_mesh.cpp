@@ -96,6 +96,18 @@ bool asks_for_another_method(Error_code code)
   return code == Error_code::NOT_CONVERGED || code == Error_code::DEGENERATE_FACE || code == Error_code::BAD_WEIGHT;
 }
 
+bool is_turned_inwards(const Mesh& mesh)
+{
+  const std::vector<Point>& points = mesh.points();
+  const auto corner = [&points](int v) { return minus(points[place(v)], points[0]); };
+  double volume = 0; // six times that of the pyramids over the faces, from the first vertex on
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto& [i, j, k] = mesh.triangle(f);
+    volume += dot(corner(i), cross(corner(j), corner(k)));
+  }
+  return volume < 0;
+}
+
 } // namespace
 
 std::vector<int> mapped_vertices(const Mapped_mesh& input)
@@ -133,18 +145,6 @@ void read_data(const Mapping_options& options, std::size_t number_of_vertices, V
     for(Vertex_column& column : read_vertex_data(file, number_of_vertices))
       data.push_back(std::move(column));
   number_equal_names(data);
-}
-
-bool is_turned_inwards(const Mesh& mesh)
-{
-  const std::vector<Point>& points = mesh.points();
-  const auto corner = [&points](int v) { return minus(points[place(v)], points[0]); };
-  double volume = 0; // six times that of the pyramids over the faces, from the first vertex on
-  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto& [i, j, k] = mesh.triangle(f);
-    volume += dot(corner(i), cross(corner(j), corner(k)));
-  }
-  return volume < 0;
 }
 
 std::string preparation_text(const std::string& file, const Mapped_mesh& input)

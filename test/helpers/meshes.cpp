@@ -389,6 +389,13 @@ Soup open_sphere(int level)
   return soup;
 }
 
+Soup inside_out(Soup soup)
+{
+  for(auto& face : soup.faces)
+    std::swap(face[0], face[1]);
+  return soup;
+}
+
 Soup joined(Soup soup, const Soup& other, const Vector& shift)
 {
   const std::size_t n = soup.points.size();

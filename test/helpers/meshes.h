@@ -80,6 +80,7 @@ Soup one_point(int level);              ///< all vertices at the same place
 /// @{
 Soup transformed(Soup soup, const std::function<Point(const Point&)>& f);
 Soup joined(Soup soup, const Soup& other, const Vector& shift); ///< both, the other one moved
+Soup inside_out(Soup soup);                                     ///< all faces turned over
 /// `order[i]` is the old number of the new vertex i. Faces are shuffled too, and start at another corner.
 Soup renumbered(const Soup& soup, unsigned seed, std::vector<std::size_t>& order);
 /// A rotation matrix, by rows, drawn from `seed`.

@@ -211,10 +211,7 @@ TEST_CASE("atlas: a mesh with its faces turned inwards is refused, and one of tw
 {
   Scratch scratch;
   const Soup soup = bumpy_sphere(1);
-  Soup inwards = soup;
-  for(auto& face : inwards.faces)
-    std::swap(face[0], face[1]);
-  const std::string a = write_off(scratch / "a.off", soup), b = write_off(scratch / "b.off", inwards);
+  const std::string a = write_off(scratch / "a.off", soup), b = write_off(scratch / "b.off", inside_out(soup));
   const Process_result run = run_tool({"atlas", a, b, "-o", scratch / "atlas"});
   CHECK(run.exit_code == 1);
   CHECK((run.out + run.err).find("its faces are turned inwards") != std::string::npos);

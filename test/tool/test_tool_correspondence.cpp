@@ -282,11 +282,7 @@ TEST_CASE("register --prepare: places on what was mended are the nearest ones on
     b.faces.resize(b.faces.size() - 40);
     has_hole = true;
   }
-  SECTION("inside out")
-  {
-    for(auto& face : b.faces)
-      std::swap(face[0], face[1]);
-  }
+  SECTION("inside out") { b = inside_out(b); }
   SECTION("some faces reversed")
   {
     for(std::size_t f = 0; f < b.faces.size(); f += 3)
@@ -332,10 +328,7 @@ TEST_CASE("register: a mesh that is turned inside out is named, and --prepare tu
 {
   Scratch scratch;
   const Soup soup = bumpy_sphere(2);
-  Soup turned = soup;
-  for(auto& face : turned.faces)
-    std::swap(face[0], face[1]);
-  const std::string a = write_off(scratch / "a.off", turned), b = write_off(scratch / "b.off", soup);
+  const std::string a = write_off(scratch / "a.off", inside_out(soup)), b = write_off(scratch / "b.off", soup);
   const Process_result run = run_tool({"register", a, b, "-o", scratch / "out.off"});
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);

@@ -253,10 +253,7 @@ std::vector<Broken> broken_meshes()
   for(std::size_t f = 0; f < soup.faces.size(); f += 3)
     std::swap(soup.faces[f][0], soup.faces[f][1]);
   add("reversed faces", soup, "reversed 107 faces that did not agree", true);
-  soup = ball;
-  for(auto& face : soup.faces)
-    std::swap(face[0], face[1]);
-  add("inside out", soup, "turned all faces to the outside", true);
+  add("inside out", inside_out(ball), "turned all faces to the outside", true);
   add("vertices of every face by themselves", exploded(ball), "merged 798 vertices at boundaries", true);
   add("two balls that share a vertex", make_soup(hourglass()), "kept the largest of 2 components", false);
   add("a vertex glued to another", make_soup(pinched_sphere()), "made 1 copy of non-manifold vertices", true);
@@ -831,14 +828,12 @@ TEST_CASE("prepare: vertices at the same place that stay apart are not counted a
 TEST_CASE("prepare: of several components those that are turned are counted", "[tool]")
 {
   Scratch scratch;
-  Soup inside_out = icosphere(1);
-  for(auto& face : inside_out.faces)
-    std::swap(face[0], face[1]);
+  const Soup turned = inside_out(icosphere(1));
   const auto done = [&](const Soup& soup) {
     return Prepared(scratch, soup, {"--steps", "merge,orient,handles"}).report["preparation"]["done"].dump();
   };
-  CHECK(done(inside_out).find("turned all faces to the outside") != std::string::npos);
-  CHECK(done(joined(icosphere(1), inside_out, Vector(9, 0, 0))).find("turned 1 component to the outside") !=
+  CHECK(done(turned).find("turned all faces to the outside") != std::string::npos);
+  CHECK(done(joined(icosphere(1), turned, Vector(9, 0, 0))).find("turned 1 component to the outside") !=
         std::string::npos);
 }
 

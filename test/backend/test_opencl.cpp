@@ -145,6 +145,15 @@ TEST_CASE("without a driver there is no device, and the error says what to insta
   CHECK(contains(list.out, "no OpenCL device: install a driver (for the CPU, the Debian package pocl-opencl-icd)"));
 }
 
+TEST_CASE("a driver without a device is not a missing driver", "[opencl]")
+{
+  if(!there_is_a_device())
+    return;
+  const Process_result list = run_process({"/usr/bin/env", "POCL_DEVICES=none", OPENCL_PROBE});
+  if(contains(list.out, "0 devices")) // drivers other than PoCL do not hear it
+    CHECK(contains(list.out, "no OpenCL device: no driver that is installed has one"));
+}
+
 TEST_CASE("threads may start the drivers at the same time", "[opencl]")
 {
   if(!there_is_a_device())

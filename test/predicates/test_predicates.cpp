@@ -26,14 +26,14 @@ typedef std::array<std::int64_t, 3> Integers;
 __extension__ typedef __int128 Large_integer;
 
 /// \pre below 2^40
-int sign_of_determinant(const Integers& a, const Integers& b, const Integers& c)
+Large_integer determinant(const Integers& a, const Integers& b, const Integers& c)
 {
   Large_integer sum = 0;
   for(int k = 0; k < 3; ++k) {
     const int m = (k + 1) % 3, n = (k + 2) % 3;
     sum += a[k] * (static_cast<Large_integer>(b[m]) * c[n] - static_cast<Large_integer>(b[n]) * c[m]);
   }
-  return (sum > 0) - (sum < 0);
+  return sum;
 }
 
 vec3 scaled(const Integers& a, int exponent)
@@ -70,10 +70,14 @@ TEST_CASE("orientation is the sign of the determinant, however small that is", "
     const std::int64_t s = integer(4), t = integer(4);
     for(int k = 0; k < 3; ++k) // near the plane of a and b
       c[k] = s * a[k] + t * b[k] + (trial % 3 == 0 ? 0 : integer(1.99));
-    const int expected = sign_of_determinant(a, b, c);
+    const Large_integer exact = determinant(a, b, c);
+    const int expected = (exact > 0) - (exact < 0);
     ++count[expected + 1];
     // a power of two each does not change the sign, nor does an even permutation
     const vec3 p = scaled(a, -37), q = scaled(b, -40 + trial % 7), r = scaled(c, -38);
+    const double value = std::ldexp(static_cast<double>(exact), -37 - 40 + trial % 7 - 38);
+    CHECK(std::abs(I::accurate_determinant(p, q, r) - value) <= 1e-6 * std::abs(value));
+    CHECK(std::abs(I::exact_determinant(p, q, r) - value) <= 1e-15 * std::abs(value));
     CAPTURE(trial, expected);
     CHECK(I::orientation(p, q, r) == expected);
     CHECK(I::orientation(q, r, p) == expected);

@@ -4,7 +4,8 @@
 /// programs are made inside the call, and released at its end.
 ///
 /// This is a closed concept: programs cannot add models. Each model below has a backend in the package, with the same
-/// operations and the same formulas, so the result does not depend on the policy. A model is copyable, and several
+/// operations and the same formulas, so the result does not depend on the policy, if floating-point numbers are rounded to nearest,
+/// as they are unless a program changes it. A model is copyable, and several
 /// threads may use the same model at the same time.
 ///
 /// \cgalHasModelsBegin

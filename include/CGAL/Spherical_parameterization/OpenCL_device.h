@@ -155,6 +155,9 @@ inline std::size_t find_opencl_device(std::string wanted = std::string())
   const auto number_of = [&](auto is_wanted) {
     return static_cast<std::size_t>(std::find_if(devices.begin(), devices.end(), is_wanted) - devices.begin());
   };
+  if(devices.empty() && !internal::opencl_platform_ids().empty())
+    fail("no OpenCL device: no driver that is installed has one (PoCL needs a folder to write to: HOME or "
+         "POCL_CACHE_DIR)");
   if(devices.empty())
     fail("no OpenCL device: install a driver (for the CPU, the Debian package pocl-opencl-icd)");
   if(wanted.empty()) {

@@ -71,8 +71,7 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
       monitor.advance(0);
       const Solution solution = solve<Host_loop>(policy, method, input.problem, effort, monitor);
       write_solution(solution, input, sphere_map, result);
-      monitor.begin_stage(1, 1);
-      monitor.advance(1);
+      monitor.finish();
     } catch(const Input_error& error) { // of reading
       result.error = error.code();
       result.detail = monitor.is_interrupted() ? monitor.reason_without_map() : error.detail();

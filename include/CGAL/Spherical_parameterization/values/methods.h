@@ -38,7 +38,8 @@ struct Balanced {
 
   /// Exponent p >= 2 of the p-Dirichlet energy E_p = 1/p sum w_ij l_ij^2 (|v_i - v_j| / l_ij)^p, l_ij the length of the
   /// edge in the source mesh, whose area is scaled to 4 pi. 2 is the published energy. Larger exponents equalize areas
-  /// at the cost of angles, and keep thin limbs wider.
+  /// at the cost of angles, and keep thin limbs wider. On coarse meshes maps with exponents between 2 and 2.1 may
+  /// collapse to a point, with `NOT_BIJECTIVE`.
   double spring_exponent = 2;
 };
 

@@ -36,7 +36,8 @@ public:
   bool needs_given_start() const { return false; }
   std::string name() const
   {
-    return method_.spring_exponent == 2 ? "balanced" : "balanced with exponent " + to_string(method_.spring_exponent);
+    const double exponent = method_.spring_exponent;
+    return exponent == 2 ? "balanced" : "balanced with exponent " + to_string(exponent, 15);
   }
 
   template <class Backend>

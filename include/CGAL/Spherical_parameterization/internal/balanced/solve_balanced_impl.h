@@ -183,7 +183,8 @@ Weighted_graph springs_at(const Loop& loop, const Weighted_graph& springs, doubl
 }
 
 /// Exponents above 2: the springs stiffen as they are stretched, and the map cannot slip off along a boost any more
-/// (above the dimension 2 maps are held continuous by their energy). Nothing is balanced. The preconditioner is set up
+/// (above the dimension 2 maps are held continuous by their energy, if the mesh is fine enough for the exponent: on
+/// coarse ones exponents below 2.1 may collapse). Nothing is balanced. The preconditioner is set up
 /// anew whenever the springs have changed much. Where faces are flipped in the end, the accuracy is tightened.
 /// Returns whether the certificate is that of v.
 template <class Backend>

@@ -67,6 +67,13 @@ public:
   /// The same where there is nothing yet that could be handed out. Throws Error if the computation has to end.
   void advance_or_throw(double fraction = 0) { go_on_if(advance(fraction)); }
 
+  /// All is there, whatever the callback says.
+  void finish()
+  {
+    begin_stage(1, 1);
+    advance(1);
+  }
+
   /// Throws Error if the answer of one of the functions above was no.
   void go_on_if(bool may_go_on) const
   {

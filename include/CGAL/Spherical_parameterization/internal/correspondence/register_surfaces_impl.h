@@ -495,7 +495,8 @@ CGAL_SP_CORE Registration_result register_surfaces(const Host_loop& loop, const 
   if(monitor.is_interrupted()) {
     result.error = Error_code::INTERRUPTED;
     result.detail = monitor.reason();
-  }
+  } else
+    monitor.finish();
   return result;
 }
 

@@ -21,7 +21,7 @@ namespace CGAL::Spherical_parameterization::internal {
 inline double flat_area(const std::array<vec3, 3>& p) { return norm(outer(sub(p[1], p[0]), sub(p[2], p[0]))) / 2; }
 
 /// Half of det(a, b, c): the area of the flat triangle times the distance of its plane from the origin, with sign.
-inline double half_determinant(const std::array<vec3, 3>& v) { return Determinant(v[0], v[1], v[2]).value / 2; }
+inline double half_determinant(const std::array<vec3, 3>& v) { return accurate_determinant(v[0], v[1], v[2]) / 2; }
 
 inline double angle(vec3 u, vec3 w) { return std::atan2(norm(outer(u, w)), inner(u, w)); }
 

@@ -16,6 +16,10 @@ namespace CGAL::Spherical_parameterization::internal {
 /// \pre all coordinates are finite
 CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c);
 
+/// det(a, b, c) to a few units in the last place, 0 if it is below the range of doubles. \pre all coordinates are
+/// finite
+CGAL_SP_CORE double exact_determinant(vec3 a, vec3 b, vec3 c);
+
 /// The determinants det(v_1, v_2, q), det(v_2, v_0, q), det(v_0, v_1, q), each taken as 0 where it is negative, over
 /// the sum of all three, to a few units in the last place. \pre all coordinates are finite, and the exact sum is not 0
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q);
@@ -62,11 +66,18 @@ inline int orientation(vec3 a, vec3 b, vec3 q)
 
 inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c) { return orientation(a, b, c) > 0; }
 
+/// det(a, b, c) to 1e-6 of its value, however near the corners are to one great circle; NaN if a coordinate is.
+inline double accurate_determinant(vec3 a, vec3 b, vec3 c)
+{
+  const Determinant determinant(a, b, c);
+  return std::abs(determinant.value) <= 1e6 * determinant.error ? exact_determinant(a, b, c) : determinant.value;
+}
+
 /// Signed area of the spherical triangle (a, b, c) of unit vectors, positive if it is seen counter-clockwise from
 /// outside; in (-2 pi, 2 pi). Triangles far below the resolution of the coordinates keep a meaningful size.
 inline double spherical_area(vec3 a, vec3 b, vec3 c)
 {
-  const double volume = inner(a, outer(sub(b, a), sub(c, a)));
+  const double volume = accurate_determinant(a, b, c);
   const double denominator = 1 + inner(a, b) + inner(b, c) + inner(c, a);
   const double tangent = volume / denominator;
   if(denominator > 0 && std::abs(tangent) < 1e-3) // small triangles are many, and two terms are exact to 1e-12

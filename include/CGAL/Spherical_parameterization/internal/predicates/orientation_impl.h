@@ -101,6 +101,18 @@ CGAL_SP_CORE int sign_of_exact_determinant(vec3 a, vec3 b, vec3 c)
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
+CGAL_SP_CORE double exact_determinant(vec3 a, vec3 b, vec3 c)
+{
+  for(const double sign : {1., -1.}) {
+    Exact_determinants sum;
+    sum.add(a, sign > 0 ? b : c, sign > 0 ? c : b);
+    const auto [value, exponent] = sum.value();
+    if(value >= 0)
+      return sign * std::ldexp(value, exponent);
+  }
+  return 0;
+}
+
 CGAL_SP_CORE std::array<double, 3> exact_barycentric_coordinates(const std::array<vec3, 3>& v, vec3 q)
 {
   Exact_determinants all;

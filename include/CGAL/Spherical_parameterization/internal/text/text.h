@@ -17,12 +17,12 @@ inline std::string counted(std::size_t n, const char* one, const char* many)
   return std::to_string(n) + ' ' + (n == 1 ? one : many);
 }
 
-/// Three digits, with a point in every locale.
-inline std::string to_string(double x)
+/// With so many digits, and a point in every locale.
+inline std::string to_string(double x, int digits = 3)
 {
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  out.precision(3);
+  out.precision(digits);
   out << x;
   return out.str();
 }

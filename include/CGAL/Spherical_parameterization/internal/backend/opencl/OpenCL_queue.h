@@ -37,17 +37,26 @@ inline std::mutex& opencl_start()
   return mutex;
 }
 
+/// A platform for each driver.
+inline std::vector<cl_platform_id> opencl_platform_ids()
+{
+  const std::lock_guard<std::mutex> lock(opencl_start());
+  cl_uint count = 0;
+  if(clGetPlatformIDs(0, nullptr, &count) != CL_SUCCESS || count == 0) // an error where no driver is installed
+    return {};
+  std::vector<cl_platform_id> platforms(count);
+  check_opencl(clGetPlatformIDs(count, platforms.data(), nullptr), "clGetPlatformIDs");
+  return platforms;
+}
+
 /// Every device of every platform, in an order that stays while no driver comes or goes.
 inline std::vector<cl_device_id> opencl_device_ids()
 {
+  const std::vector<cl_platform_id> platforms = opencl_platform_ids();
   const std::lock_guard<std::mutex> lock(opencl_start());
   std::vector<cl_device_id> result;
-  cl_uint count = 0;
-  if(clGetPlatformIDs(0, nullptr, &count) != CL_SUCCESS || count == 0) // an error where no driver is installed
-    return result;
-  std::vector<cl_platform_id> platforms(count);
-  check_opencl(clGetPlatformIDs(count, platforms.data(), nullptr), "clGetPlatformIDs");
   for(cl_platform_id platform : platforms) {
+    cl_uint count = 0;
     if(clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &count) != CL_SUCCESS) // a driver without device
       continue;
     const std::size_t before = result.size();

@@ -15,6 +15,9 @@
 #include <iostream>
 #include <new>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #ifdef __GLIBC__ // which the headers above define
 #include <malloc.h>
 
@@ -54,6 +57,15 @@ namespace {
 #endif
 }
 
+/// Or a file that is opened would get the number of a standard stream that is closed, and with it what is printed. To
+/// read from it or to write to it fails as before.
+void take_places_of_closed_streams()
+{
+  for(const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if(fcntl(stream, F_GETFD) < 0)
+      open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 /// CGAL prints several lines before it throws; what the exception says is enough.
 void print_nothing(const char*, const char*, const char*, int, const char*) {}
 
@@ -73,6 +85,7 @@ int run_guarded(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  take_places_of_closed_streams();
   CGAL::set_error_handler(print_nothing);
   manage_memory();
   std::signal(SIGXFSZ, SIG_IGN); // a file that exceeds its limit is then an error like a full disk

@@ -225,7 +225,7 @@ class _Store:
     """The database, which is that of the tool. Only this process writes to it."""
 
     def __init__(self, path: str | os.PathLike[str], function: Callable[[Any], Any]) -> None:
-        self._store = _core.Store(os.path.abspath(file_name("store", path)))  # no name means something to SQLite
+        self._store = _core.Store(file_name("store", path))
         self._name = _name(function)
         self._computation = _digest(_computation(function, []), _package())
         settings = self._store.some_settings()

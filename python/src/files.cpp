@@ -194,7 +194,7 @@ void add_files(py::module_& module)
     .def("put", &Store::put)
     .def("close", &Store::close);
   module.def("meshes_in", [](const std::string& folder) { // as bytes, since names of files may be no UTF-8
-    const auto names = tool::list_meshes({folder}, "");
+    const auto names = tool::list_meshes({folder});
     return std::vector<py::bytes>(names.begin(), names.end());
   });
 }

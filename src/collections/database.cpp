@@ -5,30 +5,27 @@
 #include "input/files.h"
 #include "system/refusal.h"
 
-#include <cerrno>
+#include <filesystem>
 #include <new>
-#include <system_error>
 #include <utility>
 
 #include <sqlite3.h>
-#include <sys/file.h>
 
 namespace tool {
 
 Database::Database(const std::string& file, const Format& format, Access access)
-  : file_(file), lock_(nullptr, std::fclose), database_(nullptr, sqlite3_close)
+  : file_(file), database_(nullptr, sqlite3_close)
 {
   const bool writes = access == Access::WRITE;
-  if(!writes)
+  if(writes)
+    lock_.emplace(file, Lock::Kind::FILE);
+  else
     check_readable(file);
-  else if(lock_.reset(std::fopen(file.c_str(), "abe")); !lock_)
-    throw Refusal(unwritable_file, file, "cannot be written (" + std::generic_category().message(errno) + ")",
-                  "check the folder and its permissions");
-  else if(flock(fileno(lock_.get()), LOCK_EX | LOCK_NB) != 0)
-    check(SQLITE_BUSY);
   sqlite3* database = nullptr;
+  const std::string path =
+    std::filesystem::absolute(file).string(); // names such as ":memory:" mean something to SQLite
   const int opened =
-    sqlite3_open_v2(file.c_str(), &database, writes ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY, nullptr);
+    sqlite3_open_v2(path.c_str(), &database, writes ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY, nullptr);
   database_.reset(database);
   check(opened);
   constexpr int patience = 10000; // milliseconds, for others to end what they read or write
@@ -125,9 +122,7 @@ void Database::check(int code) const
   case SQLITE_NOTADB: refuse_file(file_, "is no database", "choose another one");
   case SQLITE_CORRUPT:
   case SQLITE_ERROR: refuse_damaged(what); // as when a table is not there
-  case SQLITE_BUSY:
-    throw Refusal(unwritable_file, file_, "is in use by another program",
-                  "wait until it ends, or choose another --output");
+  case SQLITE_BUSY: Lock::refuse(file_);
   default:
     throw Refusal(lock_ ? unwritable_file : unreadable_file, file_,
                   std::string("cannot be ") + (lock_ ? "written" : "read") + " (" + what + ")",

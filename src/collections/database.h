@@ -2,11 +2,13 @@
 
 #pragma once
 
+#include "collections/lock.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -100,7 +102,7 @@ private:
   void check(int code) const;
 
   std::string file_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> lock_; ///< of who writes. To be closed after the database
+  std::optional<Lock> lock_; ///< of who writes. To be gone after the database
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
   mutable std::map<std::string, Statement> statements_; ///< prepared, by their SQL. To be gone before the database
 };

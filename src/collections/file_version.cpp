@@ -107,13 +107,13 @@ bool is_current(Database& database, const std::string& name, const std::string& 
 {
   auto row = database.query(
     "SELECT bytes, changed, hash FROM mesh WHERE name = ? AND status NOT IN ('OUT_OF_MEMORY', 'MemoryError', "
-    "'INTERRUPTED')",
+    "'INTERRUPTED', 'INTERNAL_ERROR')",
     name);
   if(!row.next())
     return false;
   const std::vector<std::string> files = files_of_mesh(file);
   const File_version now = version_without_hash(files);
-  if(row.integer(0) != now.bytes || now.bytes < 0) // the standard input is another one every time
+  if(row.integer(0) != now.bytes || row.text(2).empty()) // what could not be read then, or is another one every time
     return false;
   if(row.integer(1) == now.changed)
     return true;

@@ -34,7 +34,7 @@ bool are_versions(const std::string& versions, const std::vector<std::string>& f
 
 /// Whether the row `name` of the table `mesh` is about the file as it is now: its size and time of change are those of
 /// the columns `bytes` and `changed`; or its contents that of `hash`, and then the time in the row is set. Rows of what
-/// may succeed another time, for want of memory or time, are not current.
+/// may succeed another time, as for want of memory or time, are not current.
 bool is_current(Database& database, const std::string& name, const std::string& file);
 
 } // namespace tool

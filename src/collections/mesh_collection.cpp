@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <system_error>
 #include <thread>
 #include <unordered_map>
@@ -94,8 +95,9 @@ void check_outputs(const Collection& collection)
 {
   Places place;
   std::unordered_map<std::string, std::string> files; // by place: what each is
-  if(!collection.folder.empty())
-    files.emplace(place(database_of(collection)).string(), "the results of the run");
+  for(const char* end : {"", "-wal", "-shm", "-journal"})
+    if(!collection.folder.empty())
+      files.emplace(place(database_of(collection) + end).string(), "the results of the run");
   for(const Item& item : collection.items) {
     files.emplace(place(item.mesh).string(), "the mesh " + item.mesh);
     for(const std::string& input : collection.job(item).inputs)
@@ -106,13 +108,18 @@ void check_outputs(const Collection& collection)
       const auto [other, is_new] = files.emplace(place(output).string(), "an output for " + item.mesh);
       require(is_new, "--output", "'" + output + "' would overwrite " + other->second);
     }
+  for(const Item& item : collection.items)
+    for(const std::string& output : collection.job(item).outputs)
+      for(fs::path folder = place(output).parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if(const auto file = files.find(folder.string()); file != files.end())
+          require(false, "--output", "'" + output + "' would be in " + file->first + ", which is " + file->second);
 }
 
 } // namespace
 
 std::vector<std::string> Collection_options::meshes() const
 {
-  std::vector<std::string> files = list_meshes(inputs, list);
+  std::vector<std::string> files = list_meshes(names);
   if(files.empty())
     refuse_file(inputs.empty() ? list : inputs.front(), "has no mesh file",
                 std::string("meshes are read from ") + mesh_extensions + " files");
@@ -130,7 +137,7 @@ std::vector<Item> items_of(const Collection_options& options, const std::vector<
   fs::path root;
   std::vector<fs::path> left_out;
   std::unordered_set<std::string> named_files; // which are meant wherever they are
-  for(const std::string& input : named_inputs(options.inputs, options.list)) {
+  for(const std::string& input : options.names) {
     std::error_code none;
     const bool is_folder = fs::is_directory(input, none);
     if(!is_folder)
@@ -166,10 +173,13 @@ std::map<std::string, std::string> spheres_in(const std::string& folder)
   if(std::error_code none; !fs::is_directory(folder, none))
     refuse_file(folder, "is not a folder, but there are several meshes", "name the folder of their spheres");
   std::vector<std::pair<std::string, fs::path>> files;
-  for(const std::string& mesh : list_meshes({folder}, ""))
+  for(const std::string& mesh : list_meshes({folder}))
     files.emplace_back(mesh, mesh);
-  for(const Item& item : named(files, folder))
-    by_name.emplace(item.name, item.mesh);
+  for(const auto& [mesh, name] : named(files, folder)) {
+    by_name[name] = mesh;
+    if(fs::path(mesh).lexically_relative(folder).string() == name) // there are others
+      by_name.emplace(without_extension(name), "");
+  }
   return by_name;
 }
 
@@ -191,17 +201,14 @@ int run_collection(const Collection& collection)
 
   std::vector<std::optional<Results::Row>> rows(items.size());
   std::vector<std::size_t> missing;
-  std::vector<bool> is_outdated(items.size(), false);
   for(std::size_t i = 0; i < items.size(); ++i) {
     const Job job = collection.job(items[i]);
     if(results)
       rows[i] = results->current(items[i].name, items[i].mesh, settings_of(collection, job));
     if(rows[i] && !are_versions(rows[i]->outputs, job.outputs))
       rows[i].reset();
-    if(!rows[i]) {
+    if(!rows[i])
       missing.push_back(i);
-      is_outdated[i] = results && results->has(items[i].name);
-    }
   }
   const std::size_t earlier = items.size() - missing.size();
   std::size_t done = earlier;
@@ -225,13 +232,11 @@ int run_collection(const Collection& collection)
       Outcome outcome;
       outcome.refusal = guarded(items[i].mesh, [&] {
         version = version_with_hash(items[i].mesh);
-        for(const fs::path output : job.outputs) {
-          std::error_code none;
-          if(is_outdated[i]) // if there is no new one, there is none
-            fs::remove(output, none);
+        for(const fs::path output : job.outputs)
           Atomic_file::create_folder(output.parent_path().string());
-        }
       });
+      std::vector<File_version> before;
+      std::transform(job.outputs.begin(), job.outputs.end(), std::back_inserter(before), version_of);
       if(!outcome.refusal)
         outcome = job.run();
       if(outcome.refusal && was_interrupted())
@@ -239,12 +244,17 @@ int run_collection(const Collection& collection)
       // not for the mesh, but for what all meshes have in common: there is no use in going on
       if(outcome.refusal && (outcome.refusal->code() == unwritable_file || outcome.refusal->code() == opencl_error))
         throw Refusal(*outcome.refusal);
+      // of a mesh that is away, for this moment perhaps, all stays as it is
+      const bool is_there = !version.hash.empty();
+      for(std::size_t k = 0; k < before.size() && outcome.refusal && is_there; ++k)
+        if(std::error_code none; version_of(job.outputs[k]).changed == before[k].changed)
+          fs::remove(job.outputs[k], none); // an older one
       const std::string outputs = versions_of(job.outputs);
       const Results::Row row = outcome.refusal
                                  ? Results::Row{outcome.refusal->code(), outcome.refusal->what(), outputs, ""}
                                  : Results::Row{"OK", outcome.line, outputs, ""};
-      return [&, i, settings, version, row] {
-        if(results)
+      return [&, i, settings, version, row, is_there] {
+        if(results && is_there)
           results->put(items[i].name, items[i].mesh, version, settings, row);
         rows[i] = row;
         ++done;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "input/files.h"
 #include "options/command_line.h"
 #include "system/refusal.h"
 
@@ -19,6 +20,10 @@ struct Collection_options {
   std::vector<std::string> inputs;
   std::string list;
   std::optional<std::int64_t> jobs;
+  std::vector<std::string> names; ///< `inputs`, and what is in `list`, which is read once
+
+  /// To be called before what follows. Throws a `Refusal`.
+  void read_list() { names = named_inputs(inputs, list); }
 
   /// Each once, folders replaced by the mesh files in them and in their subfolders. Throws a `Refusal`, also if there
   /// is none.
@@ -42,8 +47,8 @@ struct Item {
 /// Throws a `Refusal` if there is none, and `CLI::ValidationError` if one of the other folders is a folder of IN.
 std::vector<Item> items_of(const Collection_options& options, const std::vector<File_option>& other_folders);
 
-/// The mesh files of a folder and its subfolders, by the names of the items that they are the spheres of; none if there
-/// is no folder. Throws a `Refusal`.
+/// The mesh files of a folder and its subfolders, by the names of the items that they are the spheres of; empty for a
+/// name that several of them have, with other extensions. None if there is no folder. Throws a `Refusal`.
 std::map<std::string, std::string> spheres_in(const std::string& folder);
 
 /// The work on an item.

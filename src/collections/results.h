@@ -45,9 +45,6 @@ public:
     return Row{row.text(0), row.text(1), row.text(2), row.text(3)};
   }
 
-  /// Whether there is a row, if for another version of the mesh or with other settings.
-  bool has(const std::string& name) const { return database_.query("SELECT 1 FROM mesh WHERE name = ?", name).next(); }
-
   /// The settings of some row, empty if there is none.
   std::string some_settings() const
   {

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
-#include <new>
 #include <ostream>
 #include <utility>
 
@@ -104,24 +103,15 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends, std:
 {
   Signature_row row;
   row.name = file;
-  const auto fail = [&row](const Refusal& refusal) {
-    row.status = refusal.code();
-    row.message = refusal.what();
-    row.refusal = refusal;
-    row.map.clear();
-  };
-  try {
-    sign(file, mends, what_was_done, row);
-    row.status = "OK";
-  } catch(const Refusal& refusal) {
-    fail(refusal);
-  } catch(const std::bad_alloc&) {
-    fail({out_of_memory, file, "not enough memory", "simplify the mesh, or use fewer --jobs"});
-  } catch(const std::exception& exception) {
-    fail({no_signature, file, exception.what(), ""});
-  }
+  row.status = "OK";
+  row.refusal = guarded(file, [&] { sign(file, mends, what_was_done, row); });
   if(row.refusal && was_interrupted()) // which is all that was wrong
     return std::nullopt;
+  if(row.refusal) {
+    row.status = row.refusal->code();
+    row.message = row.refusal->what();
+    row.map.clear();
+  }
   return row;
 }
 

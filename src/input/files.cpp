@@ -24,8 +24,10 @@ std::vector<std::string> meshes_in(const std::string& folder)
 {
   std::vector<std::string> files;
   std::error_code error;
+  std::string last = folder; // looked at: if there is an error, it is the folder that cannot be read
   fs::recursive_directory_iterator it(folder, error), end;
   for(; !error && it != end; it.increment(error)) {
+    last = it->path().string();
     const bool is_hidden = it->path().filename().string().front() == '.'; // as what macOS leaves beside a file
     if(is_hidden)
       it.disable_recursion_pending();
@@ -35,7 +37,7 @@ std::vector<std::string> meshes_in(const std::string& folder)
       files.push_back(it->path().string());
   }
   if(error)
-    refuse_file(folder, "cannot be read (" + error.message() + ")", "check its permissions");
+    refuse_file(last, "cannot be read (" + error.message() + ")", "check its permissions");
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -150,11 +152,11 @@ std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, co
   return names;
 }
 
-std::vector<std::string> list_meshes(const std::vector<std::string>& inputs, const std::string& list)
+std::vector<std::string> list_meshes(const std::vector<std::string>& names)
 {
   std::vector<std::string> files;
   std::set<std::string> known;
-  for(const std::string& name : named_inputs(inputs, list)) {
+  for(const std::string& name : names) {
     std::error_code none;
     for(const std::string& file : fs::is_directory(name, none) ? meshes_in(name) : std::vector<std::string>{name}) {
       if(file.find_first_of("\n\r") != std::string::npos)

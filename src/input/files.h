@@ -34,12 +34,12 @@ bool is_mesh_file(const std::string& file);
 /// The formats, for messages.
 inline const char* const mesh_extensions = "OFF, OBJ, PLY, STL, GIFTI, FreeSurfer, MNI, VTK and glTF";
 
-/// `inputs`, and the lines of the text file `list`, if it is not empty. Throws a `Refusal`.
+/// `inputs`, and the lines of the text file `list`, if it is not empty, which may be a pipe. Throws a `Refusal`.
 std::vector<std::string> named_inputs(const std::vector<std::string>& inputs, const std::string& list);
 
-/// The mesh files that the user means, each once, in an order that depends on the names alone: `inputs` in their order,
-/// folders replaced by all mesh files in them and in their subfolders that are not hidden, sorted by name; then the
-/// lines of `list` in the same way. Files that do not exist stay in the list. Throws a `Refusal`.
-std::vector<std::string> list_meshes(const std::vector<std::string>& inputs, const std::string& list);
+/// The mesh files that the user means, each once, in an order that depends on the names alone: `names` in their order,
+/// folders replaced by all mesh files in them and in their subfolders that are not hidden, sorted by name. Files that
+/// do not exist stay in the list. Throws a `Refusal`.
+std::vector<std::string> list_meshes(const std::vector<std::string>& names);
 
 } // namespace tool

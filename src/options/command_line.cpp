@@ -131,6 +131,7 @@ void check_files(const std::vector<File_option>& inputs, const std::vector<File_
   std::string reader; // of the standard input
   for(const auto& [option, file] : inputs)
     if(file == standard_stream) {
+      require(reader != option, option, "is read more than once, as the standard input cannot be; name a file");
       require(reader.empty(), option, "reads the standard input, as " + reader + " does");
       reader = option;
     }

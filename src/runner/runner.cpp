@@ -137,6 +137,7 @@ public:
       request_.options.sphere = inputs.back();
       inputs.pop_back();
     }
+    request_.meshes.read_list();
     const bool is_each_of_many = is_about_each() && are_many();
     if((is_each_of_many || step_.takes.meshes == Takes::TOGETHER) && request_.meshes.number_of_jobs() > 1 &&
        !request_.has("--policy"))
@@ -209,7 +210,8 @@ private:
   Files inputs(const Request& request) const
   {
     Files files = input_files(request.options);
-    files.front().first = step_.takes.meshes == Takes::PAIR ? "A" : "IN";
+    const auto meshes = step_.takes.meshes;
+    files.front().first = meshes == Takes::PAIR ? "A" : meshes == Takes::ONE ? "QUERY" : "IN";
     for(File_option& file : files)
       if(step_.takes.sphere == Takes::ARGUMENT && file.first == "--sphere")
         file.first = "SPHERE";
@@ -258,7 +260,7 @@ private:
   /// Whether there are several meshes, or one whose output goes to a folder.
   bool are_many() const
   {
-    const auto& [inputs, list, jobs] = request_.meshes;
+    const auto& [inputs, list, jobs, names] = request_.meshes;
     const std::string& output = request_.file();
     return inputs.size() != 1 || !list.empty() || is_folder(inputs.front()) ||
            (!output.empty() && (output.back() == '/' || (step_.gives.front().kind != Output::FOLDER &&
@@ -343,8 +345,9 @@ private:
                 "is a folder: '" + file + "' is added to the names of the meshes, and may not have a '/'");
       }
     const int threads = request_.meshes.number_of_jobs();
-    const auto& [in, list, jobs] = request_.meshes;
-    const bool is_one = in.size() == 1 && list.empty() && !is_folder(in.front()) && !is_folder(request_.options.sphere);
+    const std::vector<std::string>& in = request_.meshes.names;
+    const bool is_one =
+      in.size() == 1 && request_.meshes.list.empty() && !is_folder(in.front()) && !is_folder(request_.options.sphere);
     const auto spheres = spheres_in(is_one ? "" : request_.options.sphere);
     const auto names = [](const Files& all) {
       std::vector<std::string> files;
@@ -370,9 +373,14 @@ private:
       threads};
     request_.meshes = {}; // is copied for every mesh, as what was typed is
     request_.given.erase("IN");
-    for(const Item& item : collection.items) // which has no time by which a later run knows it again
+    for(const Item& item : collection.items) {
+      // which has no time by which a later run knows it again
       require(folder.empty() || item.mesh != standard_stream, "IN",
               "the standard input is one mesh; name a file as --output");
+      if(const auto sphere = spheres.find(item.name); sphere != spheres.end() && sphere->second.empty())
+        refuse_file(request_.options.sphere + '/' + item.name, "is the name of several maps",
+                    "leave one of them in the folder");
+    }
     const Request first = of_item(collection.items.front(), spheres);
     check(first);
     for(const auto& [option, file] : inputs(first))

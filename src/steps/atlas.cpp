@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "collections/lock.h"
 #include "runner/step.h"
 
 #include "mapping/spherical_map.h"
@@ -120,6 +121,18 @@ void read_mapped(Mapping_options one, const Mapped_file& file, Prepare how, Mapp
   map_input(one, input);
 }
 
+/// The files that a run writes at its end.
+Work::Files files_of(const Atlas_options& options, const std::string& folder)
+{
+  Work::Files files;
+  for(const char* name : {"/mean.ply", "/variance.ply", "/scores.csv", "/quality.csv", "/report.json"})
+    files.emplace_back("--output", folder + name);
+  for(int k = 1; k <= options.modes && k <= 1000; ++k)
+    for(const char* side : {"_plus.ply", "_minus.ply"})
+      files.emplace_back("--output", folder + "/modes/mode_" + std::to_string(k) + side);
+  return files;
+}
+
 /// The steps of a run, and where their files are.
 class Atlas {
 public:
@@ -127,6 +140,12 @@ public:
 
   void run()
   {
+    Atomic_file::create_folder(folder_);
+    const Lock lock(folder_, Lock::Kind::FOLDER); // or another run would replace the spheres that this one registers
+    std::set<std::string> ours;
+    for(const auto& [option, file] : files_of(options_, folder_))
+      ours.insert(Atomic_file::beginning_of_temporary(file));
+    Atomic_file::remove_leftovers(folder_, [&ours](const std::string& file) { return ours.count(file) > 0; });
     map_meshes();
     const Mapped_file first = {template_.mesh, sphere_of(template_)};
     std::vector<SP::Shape_points> shapes;
@@ -424,20 +443,10 @@ Work atlas_work()
     .of({"none", "centre", "rigid", "similarity"});
   options("--modes", own->modes, "Largest number of principal components to write").in("[0,1000000]");
   options("--ascii", own->ascii, "Write PLY files as text instead of little-endian binary");
-  work.check = [own](const Request&) {
-    require(own->template_mesh != standard_stream, "--template",
-            "is read more than once, as the standard input cannot be; name a file");
+  work.reads = [own](const Request&) {
+    return Work::Files(2, {"--template", own->template_mesh}); // to be mapped, and to be registered
   };
-  work.reads = [own](const Request&) { return Work::Files{{"--template", own->template_mesh}}; };
-  work.writes = [own](const Request& request) {
-    Work::Files files;
-    for(const char* name : {"/mean.ply", "/variance.ply", "/scores.csv", "/quality.csv", "/report.json", "/meshes.db"})
-      files.emplace_back("--output", request.file() + name);
-    for(int k = 1; k <= own->modes && k <= 1000; ++k)
-      for(const char* side : {"_plus.ply", "_minus.ply"})
-        files.emplace_back("--output", request.file() + "/modes/mode_" + std::to_string(k) + side);
-    return files;
-  };
+  work.writes = [own](const Request& request) { return files_of(*own, request.file()); };
   return work;
 }
 

@@ -153,11 +153,9 @@ Work resample_work()
     .of({"majority", "nearest"});
   work.check = [own](const Request& request) {
     require(own->sphere.empty() || !request.has("--level"), "--to-sphere", "excludes --level");
-    require(own->sphere != standard_stream, "--to-sphere",
-            "is read twice, as the standard input cannot be; name a file");
   };
   work.reads = [own](const Request&) {
-    Work::Files files = {{"--to-sphere", own->sphere}};
+    Work::Files files(2, {"--to-sphere", own->sphere}); // as a mesh and as its map
     for(const std::string& file : own->areas)
       files.emplace_back("--area-surfaces", file);
     return files;

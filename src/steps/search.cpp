@@ -69,6 +69,13 @@ void order_by_form(std::vector<Hit>& hits, const Shape_description& query, const
                    [](const Hit& a, const Hit& b) { return a.form->relevance > b.form->relevance; });
 }
 
+/// Throws a `Refusal` if the hit is no file.
+void check_is_file(const std::string& name)
+{
+  if(name == standard_stream)
+    refuse_file(name, "is that of the run that made the index", "make the signature of a file");
+}
+
 /// Registers the query to the first hits, and orders these by distance times difference; those that cannot be compared
 /// come behind, in their order.
 void rerank(std::vector<Hit>& hits, int number, Run& run)
@@ -81,6 +88,7 @@ void rerank(std::vector<Hit>& hits, int number, Run& run)
   const auto end = hits.begin() + std::min<std::ptrdiff_t>(number, hits.end() - hits.begin());
   std::for_each(hits.begin(), end, [&](Hit& hit) {
     hit.refusal = guarded(hit.name, [&] {
+      check_is_file(hit.name);
       options.other = hit.name;
       pair.b = Mapped_mesh();
       read_pair(options, pair);
@@ -166,6 +174,7 @@ void write_picture(std::vector<Hit>& hits, const std::string& file, Run& run)
   for(std::size_t i = 0; i < hits.size(); ++i) {
     stop_if_interrupted(run.options.input);
     try {
+      check_is_file(hits[i].name);
       row.add(hits[i].name, static_cast<int>(i + 1));
     } catch(const Refusal& refusal) {
       hits[i].refusal = refusal;
@@ -269,17 +278,18 @@ Work search_work()
   options("--picture", own->picture,
           "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property "
           "'place' of the faces: 0 for QUERY, 1 for the first line, ... (.ply)");
-  work.check = [own](const Request& request) {
-    require(request.options.input != standard_stream || (own->rerank == 0 && own->picture.empty()), "QUERY",
-            "is read once more for --rerank and --picture, as the standard input cannot be; name a file");
+  work.check = [own](const Request&) {
     require(own->changes.empty() || own->rerank > 0, "--changes", "requires --rerank");
     for(const auto& [option, file] : {std::pair("--changes", own->changes), std::pair("--picture", own->picture)})
       if(!file.empty())
         require_extension(option, file, {".ply"});
   };
   work.writes = [own](const Request&) { return Work::Files{{"--changes", own->changes}, {"--picture", own->picture}}; };
-  work.reads = [own](const Request&) {
-    return Work::Files{{"--index", own->index}, {"--index", index_of(own->index)}};
+  work.reads = [own](const Request& request) {
+    Work::Files files = {{"--index", own->index}, {"--index", index_of(own->index)}};
+    if(own->rerank > 0 || !own->picture.empty())
+      files.emplace_back("QUERY", request.options.input); // once more
+    return files;
   };
   return work;
 }

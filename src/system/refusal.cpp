@@ -14,8 +14,9 @@
 
 namespace tool {
 
-std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action)
+std::optional<Refusal> guarded(const std::string& named, const std::function<void()>& action)
 {
+  const std::string input = named.empty() ? "the meshes" : named;
   // Ctrl-C reaches the compiler of the kernels, too, and the library says in its own words that it was interrupted.
   const auto unless_interrupted = [&input](const Refusal& refusal) {
     return was_interrupted() ? interrupted(input) : refusal;
@@ -35,9 +36,8 @@ std::optional<Refusal> guarded(const std::string& input, const std::function<voi
 #endif
   catch(const std::bad_alloc&) {
     return Refusal(out_of_memory, input, "not enough memory", "simplify the mesh");
-  } catch(const SP::Error& error) { // of no single mesh where no input is named
-    return unless_interrupted({error.code(), input.empty() ? "the meshes" : input,
-                               without_remedy(error.what(), error.remedy()), error.remedy()});
+  } catch(const SP::Error& error) {
+    return unless_interrupted({error.code(), input, without_remedy(error.what(), error.remedy()), error.remedy()});
   } catch(const std::exception& exception) {
     return unless_interrupted({internal_error, input, exception.what(), "please report this"});
   }

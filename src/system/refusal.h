@@ -71,7 +71,6 @@ inline const char* const not_the_sphere = "NOT_THE_SPHERE";
 inline const char* const opencl_error = "OPENCL_ERROR";
 inline const char* const out_of_memory = "OUT_OF_MEMORY";
 inline const char* const internal_error = "INTERNAL_ERROR";
-inline const char* const no_signature = "NO_SIGNATURE";
 inline const char* const bad_degree = "BAD_DEGREE";
 /// @}
 
@@ -86,7 +85,8 @@ inline const char* const damaged_or_cut_short = "the file is damaged or cut shor
   throw Refusal(unreadable_file, file, wrong, remedy);
 }
 
-/// Calls `action`, which works on the file `input`. Whatever it throws is returned as a `Refusal`.
+/// Calls `action`, which works on the file `input`, or on several meshes if that is empty. Whatever it throws is
+/// returned as a `Refusal`.
 std::optional<Refusal> guarded(const std::string& input, const std::function<void()>& action);
 
 /// Prints the refusal, if there is one, on stderr. Returns the exit code of the program: 0 or 1.

@@ -7,9 +7,12 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace test;
@@ -243,4 +246,28 @@ TEST_CASE("atlas: where there is nothing to compare, nothing is written", "[tool
                                                {"atlas", one, "-o", out, "--align", "flat"},
                                                {"atlas", one, "-o", out, "--modes", "-1"}})
     CHECK(run_tool(wrong).exit_code == 2);
+}
+
+TEST_CASE("atlas: one run at a time writes a folder, and what a killed one has left goes", "[tool]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch), out = scratch / "atlas";
+  fs::create_directories(out + "/modes");
+  write_text(out + "/mean.ply.part123", "cut sho");
+  write_text(out + "/modes/mode_1_plus.ply.part7", "cut sho");
+  write_text(out + "/notes.part7", "not ours");
+  Process_options options;
+  options.meanwhile = [&](int pid) {
+    for(int i = 0; i < 60000 && !fs::exists(out + "/registered/1/meshes.db"); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    kill(pid, SIGSTOP);
+    const Process_result second = run_tool({"atlas", folder, "-o", out, "--method", "balanced"});
+    CHECK(second.exit_code == 1);
+    CHECK(second.err.find(out + ": is in use by another program") != std::string::npos);
+    kill(pid, SIGCONT);
+  };
+  CHECK(run_tool({"atlas", folder, "-o", out, "--level", "3", "-j", "1"}, options).exit_code == 1); // the torus
+  CHECK_FALSE(fs::exists(out + "/mean.ply.part123"));
+  CHECK_FALSE(fs::exists(out + "/modes/mode_1_plus.ply.part7"));
+  CHECK(fs::exists(out + "/notes.part7"));
 }

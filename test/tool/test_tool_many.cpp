@@ -375,6 +375,101 @@ TEST_CASE("many: results of other options or of another program are not taken ov
   CHECK(run_other(signature).out.find("earlier run") == std::string::npos);
 }
 
+TEST_CASE("many: what was made of meshes that are away stays, and is known again when they are back", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string folder = make_folder(scratch, 2), out = scratch / "out", away = scratch / "away";
+  std::string names;
+  for(const char* name : {"0.off", "more/0.off", "1.off"})
+    names += folder + '/' + name + '\n';
+  write_text(scratch / "list.txt", names);
+  const std::vector<std::string> command = {"map", "--list", scratch / "list.txt", "-o", out};
+  REQUIRE(run_tool(command).exit_code == 0);
+  const auto before = files_in(out);
+  REQUIRE(before.size() == 3);
+  fs::rename(folder, away);
+  const Process_result missing = run_tool(command);
+  CHECK(says(missing, "does not exist"));
+  CHECK(lines_of(missing.out).back() == out + ": 3 meshes, 3 refused");
+  CHECK(files_in(out) == before);
+  fs::rename(away, folder);
+  CHECK(lines_of(run_tool(command).out).back() == out + ": 3 meshes, 0 refused, 3 done by an earlier run");
+}
+
+TEST_CASE("many: of a mesh that is refused no older output stays, known or not", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string folder = scratch / "in", out = scratch / "out";
+  fs::create_directories(folder);
+  write_off(folder + "/a.off", icosphere(2));
+  write_off(folder + "/b.off", icosphere(2));
+  const std::vector<std::string> command = {"map", folder, "-o", out, "--report", "r.json"};
+  REQUIRE(run_tool(command).exit_code == 0);
+  write_off(folder + "/a.off", open_sphere(2));
+  fs::remove(out + "/meshes.db");
+  CHECK(run_tool(command).exit_code == 1);
+  CHECK_FALSE(fs::exists(out + "/a.ply"));
+  CHECK(fs::exists(out + "/a.r.json")); // which says why
+  CHECK(fs::exists(out + "/b.ply"));
+}
+
+TEST_CASE("many: a full disk takes no older output", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string folder = scratch / "in", out = scratch / "out";
+  fs::create_directories(folder);
+  write_off(folder + "/a.off", icosphere(3));
+  write_off(folder + "/b.off", icosphere(2));
+  REQUIRE(run_tool({"map", folder, "-o", out}).exit_code == 0);
+  const auto before = files_in(out);
+  Process_options options;
+  options.largest_file = 14000;
+  const Process_result run = run_tool({"map", folder, "-o", out, "--method", "isometric"}, options);
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 1);
+  CHECK(files_in(out).at("a.ply") == before.at("a.ply"));
+}
+
+TEST_CASE("many: a list may be a pipe", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string in = write_off(scratch / "a.off", icosphere(1)), out = scratch / "out";
+  for(const char* command : {"map", "signature"}) {
+    const Process_result run =
+      run_process({"/bin/sh", "-c",
+                   "echo '" + in + "' | '" + TOOL + "' " + command + " --list /dev/stdin -o '" + out +
+                     (std::string(command) == "map" ? "" : ".db") + "'"});
+    CAPTURE(command, run.out, run.err);
+    CHECK(run.exit_code == 0);
+  }
+  CHECK(fs::exists(out + "/a.ply"));
+}
+
+TEST_CASE("many: nothing is printed into the database where the standard output is closed", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string in = write_off(scratch / "a.off", icosphere(1)), out = scratch / "out";
+  for(const char* closed : {" >&-", " 2>&-", " <&- >&- 2>&-"}) {
+    run_process({"/bin/sh", "-c", '\'' + std::string(TOOL) + "' map '" + in + "' -o '" + out + "/' -j 1" + closed});
+    CAPTURE(closed);
+    CHECK(query(out, "PRAGMA page_count") * query(out, "PRAGMA page_size") ==
+          static_cast<int>(fs::file_size(out + "/meshes.db")));
+  }
+}
+
+TEST_CASE("many: two maps of one mesh", "[tool][many]")
+{
+  Scratch scratch;
+  const std::string folder = scratch / "in", spheres = scratch / "spheres";
+  fs::create_directories(folder);
+  write_off(folder + "/a.off", icosphere(1));
+  REQUIRE(run_tool({"map", folder, "-o", spheres}).exit_code == 0);
+  REQUIRE(run_tool({"map", folder, "-o", spheres, "--format", "off"}).exit_code == 0);
+  const Process_result run = run_tool({"certify", folder, spheres});
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.find(spheres + "/a: is the name of several maps") != std::string::npos);
+}
+
 TEST_CASE("many: spheres that were written before", "[tool][many]")
 {
   Scratch scratch;
@@ -556,6 +651,14 @@ TEST_CASE("many: wrong usage is said before any work", "[tool][many]")
   check({"map", "--list", scratch / "file", "-o"}, "--output");
   check({"map", "-o", out}, "IN or --list");
   check({"map", "-", folder, "-o", out}, "IN: the standard input is one mesh");
+  fs::create_directories(folder + "/x.ply");
+  write_off(folder + "/x.off", icosphere(0));
+  write_off(folder + "/x.ply/y.off", icosphere(0));
+  check({"map", folder, "-o", out}, "/x.ply/y.ply' would be in ");
+  fs::remove_all(folder + "/x.ply");
+  write_off(folder + "/meshes.db-wal.off", icosphere(0));
+  check({"map", folder, "-o", out, "--format", "freesurfer"}, "would overwrite the results of the run");
+  fs::remove(folder + "/meshes.db-wal.off");
   check({"map", "-", "-o", out + "/"}, "IN: the standard input is one mesh");
   for(const char* option : {"--fixed", "--density", "--data"})
     check({"map", folder, "-o", out, option, "-"}, std::string(option) + ": is read for each mesh");

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <sqlite3.h>
+#include <unistd.h>
 
 using namespace test;
 namespace fs = std::filesystem;
@@ -133,7 +134,39 @@ TEST_CASE("signature: the standard input is another mesh every time", "[tool][si
     const Process_result run = run_tool({"search", in, "--index", index});
     CAPTURE(run.out);
     CHECK(run.out.find(" 0.0000  -") != std::string::npos);
+    const Process_result again = run_tool({"search", in, "--index", index, "--rerank", "1"});
+    CAPTURE(again.out);
+    CHECK(again.out.find("that of the run that made the index") != std::string::npos);
   }
+}
+
+TEST_CASE("signature: names that mean something to SQLite are names of files", "[tool][signature]")
+{
+  Scratch scratch;
+  const std::string in = write_off(scratch / "in.off", icosphere(1));
+  for(const char* name : {":memory:", "file:x.db"}) {
+    Process_options options;
+    options.directory = fs::path(in).parent_path().string();
+    CHECK(run_tool({"signature", "in.off", "-o", name}, options).exit_code == 0);
+    const Process_result run = run_tool({"search", "in.off", "--index", name}, options);
+    CAPTURE(name, run.out, run.err);
+    CHECK(run.exit_code == 0);
+    CHECK(fs::exists(scratch / name));
+  }
+}
+
+TEST_CASE("signature: a file that could not be read is tried again when it can", "[tool][signature]")
+{
+  Process_options options;
+  options.as_nobody = true;
+  if(geteuid() != 0 || run_tool({"--version"}, options).exit_code != 0) // nobody may run it where it is
+    return;
+  Scratch scratch;
+  fs::permissions(scratch.folder(), fs::perms::all);
+  const std::string in = write_off(scratch / "in.off", icosphere(1)), index = scratch / "out.db";
+  fs::permissions(in, fs::perms::owner_read);
+  CHECK(run_tool({"signature", in, "-o", index}, options).exit_code == 1);
+  CHECK(run_tool({"signature", in, "-o", index}).exit_code == 0);
 }
 
 TEST_CASE("signature: neither threads nor runs make a difference", "[tool][signature]")

@@ -58,6 +58,10 @@ TEST_CASE("usage: one input can be the standard input", "[tool][usage]")
   check_usage({"texture", "a.off", "-o", "-"}, {"--format", "is required for the standard output"});
   check_usage({"certify", "-", "-"}, {"SPHERE", "reads the standard input, as IN does"});
   check_usage({"register", "-", "-", "-o", "c.off"}, {"B", "reads the standard input, as A does"});
+  check_usage({"search", "-", "--index", "i.db", "--rerank", "2"}, {"QUERY", "is read more than once"});
+  check_usage({"search", "-", "--index", "i.db", "--picture", "p.ply"}, {"QUERY", "is read more than once"});
+  check_usage({"resample", "a.off", "-o", "b.off", "--to-sphere", "-"}, {"--to-sphere", "is read more than once"});
+  check_usage({"atlas", "a.off", "b.off", "-o", "c", "--template", "-"}, {"--template", "is read more than once"});
 }
 
 TEST_CASE("usage: what is missing is wrong usage", "[tool][usage]")

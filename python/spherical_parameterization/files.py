@@ -128,7 +128,8 @@ def _table(column: VertexColumn) -> list[tuple[int, bytes, tuple[float, ...]]] |
 def read_mesh(path: Path, *, triangulate: bool = False) -> tuple[Doubles, Integers]:
     """Reads points and triangles from a file: OFF, OBJ, PLY, STL, GIFTI, FreeSurfer and MNI surfaces, VTK and glTF, also compressed.
 
-    The format is recognized by the contents of the file. In STL and glTF files, points at the same position are merged.
+    The format is recognized by the contents of the file. In STL and glTF files, points at the same position are merged; meshes
+    of glTF are where their nodes put them, skinned ones at rest, without morph targets.
     Files of other formats are read by meshio, if it is installed.
 
     Parameters

@@ -24,8 +24,8 @@ public:
 
   /// Throws a `Refusal`, also if another process has it.
   Lock(const std::string& path, Kind kind)
-    : descriptor_(
-        open(path.c_str(), (kind == Kind::FILE ? O_WRONLY | O_APPEND | O_CREAT : O_RDONLY | O_DIRECTORY) | O_CLOEXEC, 0666))
+    : descriptor_(open(path.c_str(),
+                       (kind == Kind::FILE ? O_WRONLY | O_APPEND | O_CREAT : O_RDONLY | O_DIRECTORY) | O_CLOEXEC, 0666))
   {
     if(descriptor_ < 0)
       throw Refusal(unwritable_file, path, "cannot be written (" + std::generic_category().message(errno) + ")",

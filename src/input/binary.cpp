@@ -41,7 +41,7 @@ struct Names {
   std::array<std::string_view, 3> others;
 };
 
-constexpr Names number_types[] = {{type_of<std::int8_t>("char"), {"int8"}},
+constexpr Names number_types[] = {{type_of<std::int8_t>("char"), {"int8", "signed_char"}},
                                   {type_of<std::uint8_t>("uchar"), {"uint8", "unsigned_char"}},
                                   {type_of<std::int16_t>("short"), {"int16"}},
                                   {type_of<std::uint16_t>("ushort"), {"uint16", "unsigned_short"}},

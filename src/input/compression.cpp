@@ -207,7 +207,9 @@ Compression compression_of_content(std::string_view bytes)
   for(const Kind& kind : kinds)
     if(bytes.substr(0, kind.magic.size()) == kind.magic)
       return kind.compression;
-  return Compression::NONE;
+  // of zstd also a frame that is to be skipped, with which pzstd begins
+  const bool is_skipped = bytes.size() > 4 && (bytes[0] & 0xF0) == 0x50 && bytes.substr(1, 3) == "\x2a\x4d\x18"sv;
+  return is_skipped ? Compression::ZSTD : Compression::NONE;
 }
 
 std::string without_compression(const std::string& file)

@@ -28,6 +28,9 @@ struct Annotations {
   std::string freesurfer; ///< the bytes behind the triangles: the volume geometry and other tags
 };
 
+/// Those of a mesh for points in the space of another one, which may be none that is known.
+Annotations in_space_of(const Annotations& other, Annotations own);
+
 /// A mesh as a file has it: nothing is known yet about how the faces fit together.
 struct Soup {
   struct Polygon {

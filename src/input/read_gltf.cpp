@@ -114,10 +114,17 @@ private:
       refuse("its description is no JSON");
     if(json_.contains("meshes") && json_["meshes"].is_object()) // named, not numbered
       refuse("is of version 1 of the format", "save it as glTF 2.0");
-    for(const Json& extension : list(json_, "extensionsRequired"))
-      if(extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
-         extension == "KHR_mesh_quantization")
-        refuse("is compressed with " + extension.get<std::string>(), "export it without compression");
+    for(const Json& extension : list(json_, "extensionsRequired")) {
+      const std::string name = extension.is_string() ? extension.get<std::string>() : "";
+      if(name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression")
+        refuse("is compressed with " + name, "export it without compression");
+      const auto is_about = [&name](const char* what) { return name.find(what) != std::string::npos; };
+      if(name != "KHR_mesh_quantization" && !is_about("_materials_") && !is_about("_texture_") && !is_about("_lights_"))
+        refuse("requires the extension " + in_quotes(name) + ", which is not known", "export it without");
+    }
+    if(const Json* asset = find(json_, "asset"); asset && find(*asset, "minVersion"))
+      if(const Json version = *find(*asset, "minVersion"); version != "2.0")
+        refuse("requires version " + version.dump() + " of the format", "save it as glTF 2.0");
     read_scene();
     if(soup_.triangles.empty())
       throw Refusal(Error_code::EMPTY_MESH, file_, "has no triangles", "check that there is a mesh in it");
@@ -148,8 +155,8 @@ private:
       Matrix matrix = transformation(node);
       for(int column = 0; column < 4; ++column)
         matrix.col(column) = product(outer, matrix.col(column));
-      if(find(node, "mesh"))
-        read_mesh(number(node, "mesh", 0), matrix);
+      if(find(node, "mesh")) // whose place is that of its bones, and at rest its own, if it has any
+        read_mesh(number(node, "mesh", 0), find(node, "skin") ? Matrix::Identity() : matrix);
       const Json& children = list(node, "children");
       for(auto child = children.rbegin(); child != children.rend(); ++child)
         open.emplace_back(index(*child), matrix);
@@ -254,8 +261,10 @@ private:
     const Json* kind = find(accessor, "type");
     if(!kind || *kind != type)
       refuse("accessor " + std::to_string(number_of_accessor) + " is no " + type);
-    if(find(accessor, "sparse") || !find(accessor, "bufferView"))
+    if(find(accessor, "sparse"))
       refuse("accessor " + std::to_string(number_of_accessor) + " is sparse", "export it without sparse accessors");
+    if(!find(accessor, "bufferView"))
+      refuse("accessor " + std::to_string(number_of_accessor) + " has no bufferView", "export it again");
     View result;
     result.component = number(accessor, "componentType", 0);
     result.count = number(accessor, "count", 0);

@@ -9,13 +9,16 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
 namespace tool {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,6 +39,17 @@ constexpr Soup (*readers[])(const std::string& file, std::string content) = {
 static_assert(std::size(readers) == static_cast<std::size_t>(Mesh_format::MNI) + 1);
 
 } // namespace
+
+Annotations in_space_of(const Annotations& other, Annotations own)
+{
+  own.freesurfer = other.freesurfer;
+  own.gifti_transforms = other.gifti_transforms;
+  const auto is_of_space = [](const auto& entry) { return entry.first.compare(0, 7, "VolGeom") == 0; };
+  auto& points = own.gifti_points;
+  points.erase(std::remove_if(points.begin(), points.end(), is_of_space), points.end());
+  std::copy_if(other.gifti_points.begin(), other.gifti_points.end(), std::back_inserter(points), is_of_space);
+  return own;
+}
 
 bool is_format_known(const std::string& file)
 {

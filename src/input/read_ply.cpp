@@ -77,7 +77,9 @@ private:
     next_line();
     if(next_token(line_) != "ply")
       refuse("does not begin with 'ply'", "check that this is a PLY file");
-    next_line();
+    do
+      next_line();
+    while(line_.substr(0, 8) == "comment " || line_.substr(0, 9) == "obj_info ");
     read_format();
     while(true) {
       next_line();

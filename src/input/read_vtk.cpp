@@ -310,8 +310,8 @@ private:
       if(lower_case(rest_.substr(0, 12)) == "lookup_table")
         next_line();
       read_array(name, of_numbers, components, size_);
-    } else if(keyword == "color_scalars")
-      read_array(name, is_text_ ? "float" : "uchar", next_count(), size_);
+    } else if(keyword == "color_scalars") // in text shares
+      read_array(name, is_text_ ? "float" : "uchar", next_count(), size_, is_text_ ? 255 : 1);
     else if(keyword == "lookup_table") // colours of values
       read_numbers(type(is_text_ ? "float" : "uchar"), 4 * next_count(), [](std::size_t, double) {});
     else if(keyword == "texture_coordinates") {
@@ -328,8 +328,9 @@ private:
     }
   }
 
-  /// Kept if it is at the points, and of numbers.
-  void read_array(const std::string& name, std::string_view type_name, std::size_t components, std::size_t tuples)
+  /// Kept, times `scale`, if it is at the points, and of numbers.
+  void read_array(const std::string& name, std::string_view type_name, std::size_t components, std::size_t tuples,
+                  double scale = 1)
   {
     if(components > 0 && tuples > 4 * largest_count / components)
       refuse("cut short: an array of " + std::to_string(tuples) + " rows is announced");
@@ -337,7 +338,7 @@ private:
       return skip_texts(components * tuples);
     const Number_type& of_numbers = type(type_name);
     std::vector<double> values;
-    read_numbers(of_numbers, components * tuples, [&](std::size_t, double x) { values.push_back(x); });
+    read_numbers(of_numbers, components * tuples, [&](std::size_t, double x) { values.push_back(scale * x); });
     if(is_at_points_ && tuples == soup_.points.size())
       add_array(name, of_numbers, components, values);
   }

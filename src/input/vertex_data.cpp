@@ -322,6 +322,9 @@ std::string name_of_column(const std::string& file)
 Vertex_data read_vertex_data(const std::string& file, std::size_t number_of_vertices)
 {
   check_readable(file);
+  for(const char* extension : {".mgh", ".mgz", ".w"})
+    if(lower_case_extension(file) == extension)
+      refuse_file(file, "is of a format that is not read", data_formats);
   std::string bytes = decompressed(file, read_file(file));
   std::optional<Vertex_data> data = read_data(file, bytes, number_of_vertices);
   if(!data && !format_of_content(bytes, bytes.size()) && !format_of_name(file))

@@ -6,6 +6,8 @@
 #include "output/text_writer.h"
 #include "system/refusal.h"
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,6 +54,15 @@ Colour diverging(double t)
   return colour;
 }
 
+Point rounded_to_floats(Point point)
+{
+  for(double& x : point) {
+    const volatile float rounded = static_cast<float>(x); // g++ 12.2 -O3 would not round in all lanes
+    x = rounded;
+  }
+  return point;
+}
+
 } // namespace
 
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
@@ -77,15 +88,27 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
 
 void check_float_range(const std::string& file, const std::vector<Point>& points)
 {
-  double largest = 0;
-  for(const Point& p : points)
+  double largest = 0, rounding = 0;
+  CGAL::Bbox_3 box;
+  for(const Point& p : points) {
     largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    const Point q = rounded_to_floats(p);
+    rounding = std::max({rounding, std::abs(q[0] - p[0]), std::abs(q[1] - p[1]), std::abs(q[2] - p[2])});
+    box += CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+  }
+  const double size = points.empty() ? 0 : std::hypot(box.x_span(), box.y_span(), box.z_span());
   using Float = std::numeric_limits<float>;
   const bool is_too_large = largest > Float::max();
-  if(!is_too_large && (largest == 0 || largest >= Float::min()))
-    return;
+  constexpr double most_of_size = 1e-3;
   std::ostringstream wrong;
   wrong.precision(3);
+  if(!is_too_large && (largest == 0 || largest >= Float::min())) {
+    if(rounding <= most_of_size * size)
+      return;
+    wrong << "the format holds floats, which move vertices by up to " << rounding << ", " << 100 * rounding / size
+          << " % of the size of the mesh, since it is far from the origin";
+    throw Refusal(unwritable_data, file, wrong.str(), "write .ply, .off or .obj, or move the mesh");
+  }
   wrong << "the format holds floats, and the largest coordinate, " << largest << ", is "
         << (is_too_large ? "above" : "below") << " their range";
   throw Refusal(Error_code::NON_FINITE_COORDINATE, file, wrong.str(), "write .ply, .off or .obj");
@@ -94,12 +117,7 @@ void check_float_range(const std::string& file, const std::vector<Point>& points
 Point as_stored(Mesh_format format, Surface surface, Point point)
 {
   const double radius = surface == Surface::SPHERE ? radius_of_spheres(format) : 1;
-  if(stores_floats(format))
-    for(double& x : point) {
-      const volatile float rounded = static_cast<float>(radius * x); // g++ 12.2 -O3 would not round in all lanes
-      x = rounded;
-    }
-  return point;
+  return stores_floats(format) ? rounded_to_floats({radius * point[0], radius * point[1], radius * point[2]}) : point;
 }
 
 void write_coloured_ply(std::ostream& out, bool ascii, const Mesh& mesh, const std::vector<Point>& points,

@@ -31,7 +31,8 @@ enum class Surface { SHAPE, SPHERE };
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
                 Surface surface, const Annotations& annotations = {}, const Vertex_data& data = {});
 
-/// Throws a `Refusal` if floats cannot hold the points: the largest coordinate is beyond their range, above or below.
+/// Throws a `Refusal` if floats cannot hold the points: the largest coordinate is beyond their range, above or below,
+/// or so far from the origin that their rounding changes the shape by more than a thousandth of its size.
 void check_float_range(const std::string& file, const std::vector<Point>& points);
 
 /// The coordinates that are read from a file of that format, which may hold floats and other radii.

@@ -170,7 +170,8 @@ void write_gifti(std::ostream& out, const Mesh& mesh, const std::vector<Point>& 
     for(const int corner : mesh.triangle(f))
       append_number(bytes, corner);
   begin_array(out, "NIFTI_INTENT_TRIANGLE", "NIFTI_TYPE_INT32", mesh.number_of_faces());
-  write_metadata(out, {{"TopologicalType", "Closed"}});
+  write_metadata(out, surface == Surface::SPHERE ? Annotations::Metadata{{"TopologicalType", "Closed"}}
+                                                 : Annotations::Metadata()); // shapes may have holes
   end_array(out, bytes);
   out << "</GIFTI>\n";
 }
@@ -257,10 +258,13 @@ void write_annot(std::ostream& out, const std::string& file, const Vertex_column
 {
   std::map<int, std::int32_t> colours; // by keys
   std::map<std::int32_t, std::string> names;
+  std::map<int, Label> by_key;
+  for(const Label& label : column.table)
+    by_key.emplace(label.key, label);
   std::ostringstream table;
   {
     Byte_writer write(table, Byte_order::BIG);
-    for(const Label& label : column.table) {
+    for(const auto& [key, label] : by_key) {
       std::array<std::int32_t, 4> rgb;
       for(std::size_t k = 0; k < 4; ++k) {
         const float share = std::fmin(1.F, std::fmax(0.F, label.rgba[k]));
@@ -268,16 +272,13 @@ void write_annot(std::ostream& out, const std::string& file, const Vertex_column
       }
       const std::int32_t colour = rgb[0] | rgb[1] << 8 | rgb[2] << 16;
       const auto [known, is_new] = names.emplace(colour, label.name);
-      constexpr int largest_key = std::numeric_limits<std::int32_t>::max() - 1; // since one more is written, too
-      if(!is_new || label.key < 0 || label.key > largest_key)
+      if(!is_new)
         throw Refusal(unwritable_data, file,
-                      is_new ? "the label " + in_quotes(label.name) + " has the key " + std::to_string(label.key) +
-                                 ", which is not in the range 0.." + std::to_string(largest_key) + " of the format"
-                             : "the labels " + in_quotes(known->second) + " and " + in_quotes(label.name) +
-                                 " have the same colour, by which the format tells them apart",
+                      "the labels " + in_quotes(known->second) + " and " + in_quotes(label.name) +
+                        " have the same colour, by which the format tells them apart",
                       "write .label.gii or .csv");
-      colours[label.key] = colour;
-      write(std::int32_t(label.key));
+      write(static_cast<std::int32_t>(colours.size())); // some readers count the entries, whatever stands here
+      colours[key] = colour;
       write(static_cast<std::int32_t>(label.name.size() + 1));
       for(const char c : label.name + '\0')
         write(c);
@@ -292,10 +293,10 @@ void write_annot(std::ostream& out, const std::string& file, const Vertex_column
     write(colour == colours.end() ? 0 : colour->second); // as FreeSurfer marks what has none
   }
   write(std::array<std::int32_t, 2>{1, -2}); // there is a table, of version 2
-  write(static_cast<std::int32_t>(column.table.empty() ? 0 : std::int64_t(colours.rbegin()->first) + 1));
+  write(static_cast<std::int32_t>(colours.size()));
   write(std::int32_t(1)); // the name of a file, which is empty
   write('\0');
-  write(static_cast<std::int32_t>(column.table.size()));
+  write(static_cast<std::int32_t>(colours.size()));
   for(const char c : table.str())
     write(c);
 }

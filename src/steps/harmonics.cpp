@@ -141,8 +141,10 @@ void harmonics(const Harmonics_options& options, Run& run)
   run.details["harmonics"] = std::move(json);
   stop_if_interrupted(file);
   SP::write_coefficients(*run.out(), written, format_of(run.file()));
-  if(options.align)
+  if(options.align) {
     move_to_ellipsoid(SP::first_order_ellipsoid(analysis.coefficients), points);
+    run.annotations = in_space_of({}, run.annotations);
+  }
   run.write("--reconstruct", input.mesh(), points, Surface::SHAPE);
   run.commit();
 

@@ -5,9 +5,7 @@
 #include "output/text_writer.h"
 #include "runner/pair.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <sstream>
 
 namespace tool {
@@ -21,17 +19,6 @@ void write_correspondence(std::ostream& out, const std::vector<Place>& places)
     const auto& [face, weights] = places[v];
     write(v, ',', face, ',', weights[0], ',', weights[1], ',', weights[2], '\n');
   }
-}
-
-/// Those of A for points in the space of B.
-Annotations in_space_of(const Annotations& b, Annotations a)
-{
-  a.freesurfer = b.freesurfer;
-  a.gifti_transforms = b.gifti_transforms;
-  const auto is_of_space = [](const auto& entry) { return entry.first.compare(0, 7, "VolGeom") == 0; };
-  a.gifti_points.erase(std::remove_if(a.gifti_points.begin(), a.gifti_points.end(), is_of_space), a.gifti_points.end());
-  std::copy_if(b.gifti_points.begin(), b.gifti_points.end(), std::back_inserter(a.gifti_points), is_of_space);
-  return a;
 }
 
 void register_meshes(const Registration_options& options, Run& run)

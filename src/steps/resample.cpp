@@ -107,6 +107,9 @@ void resample(const Resample_options& options, Run& run)
     });
   run.write("--output", out, points, Surface::SHAPE);
   run.write("--output-sphere", out, target.sphere, Surface::SPHERE);
+  if(!run.file().empty()) // the loss is that of the file
+    for(Point& p : points)
+      p = as_stored(run.mesh_format().format, Surface::SHAPE, p);
   const Sampling_loss loss = sampling_loss(run.mesh(), out, points);
   run.details["resample"] = {{"level", known(options.sphere.empty(), options.level)},
                              {"to_sphere", known(!options.sphere.empty(), options.sphere)},

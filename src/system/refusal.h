@@ -66,7 +66,7 @@ inline const char* const non_finite_remedy = "every coordinate must be a finite 
 /// @{
 inline const char* const unreadable_file = "UNREADABLE_FILE"; ///< keeps a file from being read at all
 inline const char* const unwritable_file = "UNWRITABLE_FILE"; ///< the disk, not the mesh: many meshes end there
-inline const char* const unwritable_data = "UNWRITABLE_DATA"; ///< columns that the format cannot hold
+inline const char* const unwritable_data = "UNWRITABLE_DATA"; ///< what the format cannot hold
 inline const char* const not_the_sphere = "NOT_THE_SPHERE";
 inline const char* const opencl_error = "OPENCL_ERROR";
 inline const char* const out_of_memory = "OUT_OF_MEMORY";

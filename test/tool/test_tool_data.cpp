@@ -20,7 +20,9 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -142,6 +144,17 @@ TEST_CASE("data: files of data are read back as they were written", "[tool][data
     tool::Vertex_column expected = data[1];
     for(double& value : expected.values) // black is the colour of 0, and of what has no label in .annot
       value = std::isnan(value) && contains(name, ".annot") ? 0 : value;
+    if(contains(name, ".annot")) { // whose keys are numbers of entries
+      std::map<int, int> numbers;
+      for(const tool::Label& label : data[1].table)
+        numbers[label.key] = 0;
+      for(auto& [key, number] : numbers)
+        number = static_cast<int>(std::distance(numbers.begin(), numbers.find(key)));
+      for(tool::Label& label : expected.table)
+        label.key = numbers.at(label.key);
+      for(double& value : expected.values)
+        value = numbers.at(static_cast<int>(value));
+    }
     check_labels(found[0], expected);
   }
   const tool::Vertex_data found = read("out.csv");
@@ -257,7 +270,7 @@ assert numpy.array_equal(fs.read_morph_data(folder + 'lh.thickness'), values.ast
 listed, numbers = fs.read_label(folder + 'lh.out.label', read_scalars=True)
 assert (listed == numpy.flatnonzero(values == values)).all() and (numbers == values[listed]).all()
 index, table, names = fs.read_annot(folder + 'lh.out.annot')
-assert list(table[index[1]][:4]) == [255, 51, 102, 0] and b'bank, "s" & <ts>' in names
+assert list(table[index[1]][:4]) == [255, 51, 102, 0] and names[index[1]] == b'bank, "s" & <ts>'
 assert index[0] == index[4] == -1 and index[2] == index[6] != index[1]
 
 fs.write_morph_data(folder + 'rh.curv', values.astype('f4'))
@@ -562,6 +575,15 @@ TEST_CASE("data: broken files are refused in one line", "[tool][data]")
     check("a.vtp", changed(text, ">\nAQAA", ">\nBQAA"), "a.vtp");
     check("a.vtp", changed(text, ">\nAQAA", ">\n????"), "Base64");
   }
+}
+
+TEST_CASE("data: colours in the text of VTK files are shares of 255", "[tool][data]")
+{
+  Scratch scratch;
+  write_text(scratch / "in.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
+                                 "0 0 0 1 0 0 0 1 0 0 0 1\nPOLYGONS 4 16\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
+                                 "POINT_DATA 4\nCOLOR_SCALARS c 1\n0\n0.2\n1\n0.8\n");
+  CHECK(tool::read_vertex_data(scratch / "in.vtk", 4).at(0).values == std::vector<double>{0, 51, 255, 204});
 }
 
 TEST_CASE("data: what a format cannot hold is refused, not written", "[tool][data]")

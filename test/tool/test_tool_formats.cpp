@@ -442,6 +442,14 @@ TEST_CASE("formats: glTF is read in the space of its scene", "[tool][formats]")
     const auto [a, b, c] = mesh.mesh.triangle(0);
     CHECK((moved.triangle(0) == std::array<int, 3>{a, c, b}));
   }
+  SECTION("what has bones is where they put it, at rest its own place")
+  {
+    const tool::Mesh moved = tool::read_mesh(with([](auto& json) {
+                               json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"scale", {5, 1, 1}}}};
+                             }))
+                               .mesh;
+    CHECK(moved.points() == all_as_stored(tool::Mesh_format::GLTF, tool::Surface::SHAPE, mesh.mesh.points()));
+  }
   SECTION("the bytes may be in a file next to it, and nowhere else")
   {
     const std::string uri = good["buffers"][0]["uri"];
@@ -458,6 +466,9 @@ TEST_CASE("formats: glTF is read in the space of its scene", "[tool][formats]")
   {
     CHECK(contains(refusal(with([](auto& json) { json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; })),
                    "without compression"));
+    CHECK(contains(refusal(with([](auto& json) { json["extensionsRequired"] = {"ACME_foo"}; })), "'ACME_foo'"));
+    CHECK(contains(refusal(with([](auto& json) { json["asset"]["minVersion"] = "2.1"; })), "version \"2.1\""));
+    CHECK(contains(refusal(with([](auto& json) { json["accessors"][0].erase("bufferView"); })), "no bufferView"));
     CHECK(contains(refusal(with([](auto& json) { json["accessors"][0]["count"] = 1000000000; })), "cut short"));
     CHECK(contains(refusal(with([](auto& json) { json["accessors"][0]["count"] = -1; })), "number"));
     CHECK(contains(refusal(with([](auto& json) { json["nodes"][0]["children"] = {0}; })), "two parents"));
@@ -468,6 +479,49 @@ TEST_CASE("formats: glTF is read in the space of its scene", "[tool][formats]")
     write_text(scratch / "deep.gltf", "{\"asset\":" + std::string(100000, '['));
     CHECK(contains(refusal(scratch / "deep.gltf"), "no JSON"));
   }
+}
+
+TEST_CASE("formats: extensions of glTF that leave the shape as it is do not matter", "[tool][formats]")
+{
+  Scratch scratch;
+  write(scratch / "in.gltf", {tool::Mesh_format::GLTF}, input_of(icosphere(1)));
+  auto json = nlohmann::json::parse(text_of(scratch / "in.gltf"));
+  json["extensionsRequired"] = {"KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform"};
+  write_text(scratch / "in.gltf", json.dump());
+  CHECK(tool::read_mesh(scratch / "in.gltf").mesh.number_of_faces() == 80);
+}
+
+TEST_CASE("formats: floats do not take a shape that is far from the origin", "[tool][formats]")
+{
+  Scratch scratch;
+  const auto at = [&](double distance) {
+    return write_off(scratch / "in.off", transformed(bumpy_sphere(2), [=](const Point& p) {
+                       return Point(p.x() + distance, p.y(), p.z());
+                     }));
+  };
+  for(const char* name : {"out.glb", "out.gii", "lh.out"}) {
+    CAPTURE(name);
+    CHECK(run_tool({"resample", at(1e4), "-o", scratch / name, "--level", "2"}).exit_code == 0);
+    const Process_result run = run_tool({"resample", at(1e6), "-o", scratch / name, "--level", "2"});
+    CHECK(run.exit_code == 1);
+    CHECK(contains(run.err, "far from the origin; write .ply, .off or .obj, or move the mesh"));
+  }
+  CHECK(run_tool({"texture", at(1e6), "-o", scratch / "out.glb"}).exit_code == 1);
+  CHECK(run_tool({"map", at(1e6), "-o", scratch / "out.gii"}).exit_code == 0); // a sphere
+}
+
+TEST_CASE("formats: comments before the format of PLY, and frames of zstd that are to be skipped", "[tool][formats]")
+{
+  Scratch scratch;
+  std::string text = text_of([&] {
+    write(scratch / "in.ply", {tool::Mesh_format::PLY}, input_of(icosphere(1)));
+    return scratch / "in.ply";
+  }());
+  write_text(scratch / "in.ply", text.insert(4, "comment of mine\nobj_info more\n"));
+  CHECK(tool::read_mesh(scratch / "in.ply").mesh.number_of_faces() == 80);
+  write(scratch / "in.off.zst", {tool::Mesh_format::OFF}, input_of(icosphere(1)));
+  write_text(scratch / "in.off.zst", "\x50\x2a\x4d\x18\x04\0\0\0skip"s + text_of(scratch / "in.off.zst"));
+  CHECK(tool::read_mesh(scratch / "in.off.zst").mesh.number_of_faces() == 80);
 }
 
 TEST_CASE("formats: triangle strips are the triangles that they stand for", "[tool][formats]")

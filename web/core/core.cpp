@@ -77,7 +77,9 @@ Points sphere_of(const val& array)
   Points sphere = rows_of<double>(array);
   for(std::size_t v = 0; v < sphere.size(); ++v) {
     auto& [x, y, z] = sphere[v];
-    const double length = std::sqrt(x * x + y * y + z * z);
+    double length = std::sqrt(x * x + y * y + z * z);
+    if(!(length >= 1e-100 && length <= 1e100)) // the squares may be out of range
+      length = std::hypot(x, y, z);
     if(!(length > 0 && std::isfinite(length)))
       throw SP::Error(SP::Error_code::NON_FINITE_COORDINATE,
                       "vertex " + std::to_string(v) + " of the sphere has no direction");
@@ -225,6 +227,9 @@ val answer_of(const Action& action)
   } catch(const CGAL::Failure_exception& failure) {
     refuse("BAD_ARGUMENT", failure.message());
   } catch(const std::bad_alloc&) {
+    refuse(tool::out_of_memory, "there is not enough memory",
+           "WebAssembly has 4 GB at most; use the command-line tool");
+  } catch(const std::length_error&) {
     refuse(tool::out_of_memory, "there is not enough memory",
            "WebAssembly has 4 GB at most; use the command-line tool");
   } catch(const std::exception& exception) {

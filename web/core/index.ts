@@ -183,9 +183,10 @@ function settingsOf(options: object): object {
   const settings: Record<string, unknown> = { ...defaults };
   for (const [name, value] of Object.entries(options)) {
     if (value === undefined || name === "progress") continue;
-    if (!(name in words) && !numbers.includes(name)) throw new TypeError(`there is no option '${name}'`);
-    if (words[name]?.includes(value) === false)
-      throw new RangeError(`${name} has to be one of ${words[name].join(", ")}, and is '${value}'`);
+    if (!Object.hasOwn(words, name) && !numbers.includes(name)) throw new TypeError(`there is no option '${name}'`);
+    const choice = Object.hasOwn(words, name) ? words[name]! : null;
+    if (choice?.includes(value) === false)
+      throw new RangeError(`${name} has to be one of ${choice.join(", ")}, and is '${value}'`);
     if (numbers.includes(name) && typeof value !== "number") throw new TypeError(`${name} has to be a number`);
     if (name === "iterations" && !(Number.isInteger(value) && (value as number) >= 0))
       throw new RangeError(`${name} has to be an integer that is not negative`);
@@ -232,10 +233,13 @@ export async function start(create: () => Promise<unknown>): Promise<SphericalPa
     readMesh(name, bytes, options = {}) {
       if (typeof name !== "string") throw new TypeError("name has to be a string");
       checkType(bytes, "bytes", ["Uint8Array"]);
+      if (bytes.length >= 2 ** 31) // beyond which the heap breaks
+        throw new MeshError("OUT_OF_MEMORY", `${name}: there is not enough memory: WebAssembly takes files below 2 GB; use the command-line tool`);
       for (const [option, value] of Object.entries(options))
         if (option !== "triangulate" || !["boolean", "undefined"].includes(typeof value))
           throw new TypeError("options has to be { triangulate: true or false }");
-      return needed(core.readMesh(name, bytes, options.triangulate ?? false));
+      const ours = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes); // of another page, it is unknown here
+      return needed(core.readMesh(name, ours, options.triangulate ?? false));
     },
   };
 }

@@ -4,7 +4,7 @@
 // Results as files.
 
 import { coloursOf, isDark, type Colouring } from "./colours";
-import { meanOverFaces, normalsOf, type Mesh, type Model, type Report } from "./model";
+import { drawable, meanOverFaces, normalsOf, type Mesh, type Model, type Report } from "./model";
 
 const rowOf = (rows: ArrayLike<number>, i: number) => `${rows[3 * i]} ${rows[3 * i + 1]} ${rows[3 * i + 2]}`;
 
@@ -109,6 +109,10 @@ function unwrap(model: Model): { source: number[]; uv: number[]; index: Uint32Ar
 
 /// The mesh as binary glTF, with the checker as its texture and the sphere as a morph target.
 export async function texturedGlb(model: Model): Promise<Uint8Array> {
+  let largest = 0;
+  for (const x of model.points) largest = Math.max(largest, Math.abs(x));
+  if (!(Math.fround(largest) < Infinity && largest >= 2 ** -126))
+    throw new Error(`the format holds floats, and the largest coordinate, ${largest.toPrecision(3)}, is beyond their range`);
   const { source, uv, index } = unwrap(model);
   const position = Float32Array.from(source.flatMap((v) => [0, 1, 2].map((k) => model.points[3 * v + k]!)));
   const low = [0, 1, 2].map((k) => source.reduce((m, _, v) => Math.min(m, position[3 * v + k]!), Infinity));
@@ -120,7 +124,7 @@ export async function texturedGlb(model: Model): Promise<Uint8Array> {
   );
   const ends = (values: Float32Array, end: (a: number, b: number) => number) =>
     [0, 1, 2].map((k) => source.reduce((m, _, v) => end(m, values[3 * v + k]!), values[k]!));
-  const normals = normalsOf(model);
+  const normals = normalsOf(drawable(model));
   const normal = Float32Array.from(source.flatMap((v) => [...normals.subarray(3 * v, 3 * v + 3)]));
   const png = await checkerPng();
   const parts: Uint8Array[] = [position, morph, Float32Array.from(uv), index, normal, png].map(

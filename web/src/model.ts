@@ -19,7 +19,9 @@ export interface Report {
   weights?: string;
   method?: string;
   method_used?: string;
-  fallback_reason?: string;
+  fallback_reason?: string | null;
+  policy?: string;
+  device?: string;
   settings?: Record<string, unknown>;
   start_iterations?: number;
   iterations?: number;

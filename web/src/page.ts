@@ -214,7 +214,9 @@ function answer(settings: Settings, mesh: Mesh | undefined, given: Answer): void
     ...rest,
     weights: settings.weights,
     method: settings.method,
-    settings: { ...settings, policy: core.policy, device: "WebAssembly" },
+    policy: core.policy,
+    device: "WebAssembly",
+    settings: { ...settings, policy: core.policy },
   };
   if (!mesh) {
     // not even a mesh

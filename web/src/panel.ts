@@ -92,7 +92,7 @@ export function facts(report: Report): HTMLElement {
   if (s) {
     const sum = Object.keys(phases).reduce((total, name) => total + (s[name] ?? 0), 0);
     list.append(element("dt", {}, "Time"), element("dd", { id: "time", "data-seconds": String(sum) }, duration(sum)));
-    for (const [name, term] of Object.entries(phases)) add(work, term, duration(s[name] ?? 0));
+    for (const [name, term] of Object.entries(phases)) add(work, term, s[name] ? duration(s[name]) : ""); // of a given map only some
   }
   return element("div", {}, list, ...(work.childElementCount > 0 ? [details("How it was computed", work)] : []));
 }

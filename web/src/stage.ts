@@ -65,10 +65,10 @@ export class Stage {
     if (this.model?.points.length !== model.points.length)
       this.viewer.face(this.drawn, /\.gii(\.gz)?$|^[lr]h\./.test(model.report.input)); // as neuroimaging has it
     this.model = model;
+    if (model.way) this.tell(model.way.names);
     if (!before || !model.sphere) this.viewer.morph = 0;
     this.viewer.alone = model.way !== undefined;
     this.viewer.show(this.drawn);
-    if (model.way) this.ends = model.way.names;
     ["from", "to"].forEach((id, i) => (byId(id).textContent = this.ends[i]!));
     this.name();
     document.body.classList.toggle("has-mesh", true);
@@ -112,6 +112,13 @@ export class Stage {
     this.onColouring(colouring);
   }
 
+  /// The words for a mesh on its way to another one.
+  private tell(ends: [string, string]): void {
+    this.ends = ends;
+    this.slider.setAttribute("aria-label", "From one mesh to the other");
+    byId("canvas").setAttribute("aria-label", "The mesh on its way. Arrow keys turn it, plus and minus zoom.");
+  }
+
   private name(): void {
     const share = Math.round(100 * this.viewer.morph);
     const [from, to] = this.ends;
@@ -139,7 +146,7 @@ export class Stage {
     if (!isForPage(event)) return;
     const number = Number(event.key);
     if (number >= 1 && number <= colourings.length) this.choose(colourings[number - 1]!);
-    else if (event.key === "m") this.viewer.play();
+    else if (event.key === "m") byId("play").click(); // unless it is disabled
     else if (event.key === "t") this.switchTheme();
     else if (event.key === "?") byId<HTMLDialogElement>("help").showModal();
     else if (event.key === "0") this.viewer.resetView();

@@ -25,6 +25,7 @@ function edgesOf(mesh: Mesh): Edge[] {
   for (let c = 0; c < t.length; ++c) {
     const from = t[c]!;
     const to = t[c % 3 === 2 ? c - 2 : c + 1]!;
+    if (from === to) continue; // the face has no area, and no edge here
     const a = Math.min(from, to);
     const b = Math.max(from, to);
     let edge = edges.get(a * n + b);

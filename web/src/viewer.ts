@@ -227,6 +227,7 @@ export class Viewer {
     this.resetView();
     this.listen();
     new ResizeObserver(() => this.redraw()).observe(canvas);
+    canvas.addEventListener("webglcontextrestored", () => this.redraw());
     const loop = (time: number) => {
       this.step(time);
       requestAnimationFrame(loop);
@@ -776,6 +777,7 @@ export class Viewer {
     const waiting = this.pointer !== null;
     if (this.shapes.length > 2) return; // nothing is known of faces
     if (!event) {
+      this.pointer = null;
       this.mark(null);
       this.onHover(null);
       return;
@@ -784,7 +786,8 @@ export class Viewer {
     this.pointer = { x: event.clientX - box.left, y: event.clientY - box.top };
     if (waiting) return;
     requestAnimationFrame(() => {
-      const at = this.pointer!;
+      const at = this.pointer;
+      if (!at) return; // it has left
       this.pointer = null;
       const hover = this.pick(at.x, at.y);
       this.mark(hover?.face ?? null);

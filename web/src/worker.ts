@@ -50,7 +50,7 @@ async function allCores(): Promise<SphericalParameterization> {
   scope.importScripts(address("threads.js"));
   const place = { mainScriptUrlOrBlob: address("threads.js"), locateFile: () => address("threads.worker.js") };
   const result = await start(() => scope.createCore(place));
-  policy = "parallel";
+  policy = "tbb";
   return result;
 }
 
@@ -98,7 +98,8 @@ async function map({ name, bytes, settings, permit }: MapJob): Promise<void> {
     input: name,
     vertices: mesh.points.length / 3,
     faces: mesh.triangles.length / 3,
-    ...(seconds && { seconds: { ...seconds, read: seconds.read + read } }),
+    fallback_reason: result.fallback_reason || null,
+    ...(seconds && { seconds: { ...seconds, read: seconds.read + read, total: seconds.total + read } }),
     error: valid ? null : [name, error, detail].filter(Boolean).join(": "),
   };
   const arrays = Object.values(answer).filter((x): x is Float64Array => ArrayBuffer.isView(x));

@@ -532,7 +532,7 @@ test("uses all cores where the server permits it, and has the same bits where it
   };
   const [all, one] = [await ask(), await ask({})];
   assert.deepEqual([all.allCores, one.allCores], [true, false]);
-  assert.deepEqual([all.policy, one.policy], ["parallel", "sequential"]);
+  assert.deepEqual([all.policy, one.policy], ["tbb", "sequential"]);
   assert.equal(different(all.sphere, one.sphere), 0);
 });
 

@@ -91,6 +91,17 @@ std::string settings_of(const Collection& collection, const Job& job)
 
 std::string database_of(const Collection& collection) { return collection.folder + "/meshes.db"; }
 
+/// Whether the refusal is about the mesh as it was, not about what was away, perhaps for a moment only.
+bool is_about_mesh(const Refusal& refusal, const std::string& mesh, const Job& job, const File_version& version)
+{
+  const std::string what = refusal.what();
+  const auto is_away = [&what](const std::string& file) {
+    return what.compare(0, file.size() + 1, file + ':') == 0 && version_of(file).bytes < 0;
+  };
+  return !version.hash.empty() && version_with_hash(mesh).hash == version.hash &&
+         std::none_of(job.inputs.begin(), job.inputs.end(), is_away);
+}
+
 void check_outputs(const Collection& collection)
 {
   Places place;
@@ -232,6 +243,8 @@ int run_collection(const Collection& collection)
       Outcome outcome;
       outcome.refusal = guarded(items[i].mesh, [&] {
         version = version_with_hash(items[i].mesh);
+        if(version.hash.empty())
+          check_readable(items[i].mesh);
         for(const fs::path output : job.outputs)
           Atomic_file::create_folder(output.parent_path().string());
       });
@@ -244,17 +257,16 @@ int run_collection(const Collection& collection)
       // not for the mesh, but for what all meshes have in common: there is no use in going on
       if(outcome.refusal && (outcome.refusal->code() == unwritable_file || outcome.refusal->code() == opencl_error))
         throw Refusal(*outcome.refusal);
-      // of a mesh that is away, for this moment perhaps, all stays as it is
-      const bool is_there = !version.hash.empty();
-      for(std::size_t k = 0; k < before.size() && outcome.refusal && is_there; ++k)
-        if(std::error_code none; version_of(job.outputs[k]).changed == before[k].changed)
+      const bool is_known = !outcome.refusal || is_about_mesh(*outcome.refusal, items[i].mesh, job, version);
+      for(std::size_t k = 0; k < before.size() && outcome.refusal && is_known; ++k)
+        if(std::error_code none; before[k].bytes >= 0 && version_of(job.outputs[k]).changed == before[k].changed)
           fs::remove(job.outputs[k], none); // an older one
       const std::string outputs = versions_of(job.outputs);
       const Results::Row row = outcome.refusal
                                  ? Results::Row{outcome.refusal->code(), outcome.refusal->what(), outputs, ""}
                                  : Results::Row{"OK", outcome.line, outputs, ""};
-      return [&, i, settings, version, row, is_there] {
-        if(results && is_there)
+      return [&, i, settings, version, row, is_known] {
+        if(results && is_known)
           results->put(items[i].name, items[i].mesh, version, settings, row);
         rows[i] = row;
         ++done;

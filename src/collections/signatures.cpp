@@ -108,6 +108,8 @@ std::optional<Signature_row> sign_mesh(const std::string& file, bool mends, std:
   if(row.refusal && was_interrupted()) // which is all that was wrong
     return std::nullopt;
   if(row.refusal) {
+    if(version_with_hash(file).hash != row.version.hash) // it is away, perhaps for this moment only
+      row.version.hash.clear();
     row.status = row.refusal->code();
     row.message = row.refusal->what();
     row.map.clear();

@@ -77,9 +77,12 @@ private:
     next_line();
     if(next_token(line_) != "ply")
       refuse("does not begin with 'ply'", "check that this is a PLY file");
-    do
+    std::string_view line, keyword;
+    do {
       next_line();
-    while(line_.substr(0, 8) == "comment " || line_.substr(0, 9) == "obj_info ");
+      line = line_;
+      keyword = next_token(line);
+    } while(keyword == "comment" || keyword == "obj_info");
     read_format();
     while(true) {
       next_line();

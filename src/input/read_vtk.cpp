@@ -9,7 +9,9 @@
 #include "input/xml.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -310,8 +312,9 @@ private:
       if(lower_case(rest_.substr(0, 12)) == "lookup_table")
         next_line();
       read_array(name, of_numbers, components, size_);
-    } else if(keyword == "color_scalars") // in text shares
-      read_array(name, is_text_ ? "float" : "uchar", next_count(), size_, is_text_ ? 255 : 1);
+    } else if(keyword == "color_scalars") // in text shares of 255, of a few digits
+      read_array(name, is_text_ ? "float" : "uchar", next_count(), size_,
+                 [this](double x) { return is_text_ ? std::round(255 * x) : x; });
     else if(keyword == "lookup_table") // colours of values
       read_numbers(type(is_text_ ? "float" : "uchar"), 4 * next_count(), [](std::size_t, double) {});
     else if(keyword == "texture_coordinates") {
@@ -328,9 +331,10 @@ private:
     }
   }
 
-  /// Kept, times `scale`, if it is at the points, and of numbers.
-  void read_array(const std::string& name, std::string_view type_name, std::size_t components, std::size_t tuples,
-                  double scale = 1)
+  /// Kept, as `value(x)`, if it is at the points, and of numbers.
+  void read_array(
+    const std::string& name, std::string_view type_name, std::size_t components, std::size_t tuples,
+    const std::function<double(double)>& value = [](double x) { return x; })
   {
     if(components > 0 && tuples > 4 * largest_count / components)
       refuse("cut short: an array of " + std::to_string(tuples) + " rows is announced");
@@ -338,7 +342,7 @@ private:
       return skip_texts(components * tuples);
     const Number_type& of_numbers = type(type_name);
     std::vector<double> values;
-    read_numbers(of_numbers, components * tuples, [&](std::size_t, double x) { values.push_back(scale * x); });
+    read_numbers(of_numbers, components * tuples, [&](std::size_t, double x) { values.push_back(value(x)); });
     if(is_at_points_ && tuples == soup_.points.size())
       add_array(name, of_numbers, components, values);
   }

@@ -180,7 +180,7 @@ void write_gltf(std::ostream& out, Mesh_format format, const Mesh& mesh, const s
 void write_textured_gltf(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Uv>& uv,
                          const std::string& image)
 {
-  check_float_range(format.name, mesh.points());
+  check_floats(format, mesh.points());
   const Texture_places places(mesh, uv);
   std::vector<std::uint32_t> corners;
   for(const Mesh::Face_index f : faces(mesh))

@@ -68,8 +68,7 @@ Point rounded_to_floats(Point point)
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
                 Surface surface, const Annotations& annotations, const Vertex_data& data)
 {
-  if(stores_floats(format.format))
-    check_float_range(format.name, points);
+  check_floats(format, points);
   switch(format.format) {
   case Mesh_format::OFF: return write_off(out, mesh, points);
   case Mesh_format::OBJ: return write_obj(out, mesh, points);
@@ -88,30 +87,41 @@ void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh
 
 void check_float_range(const std::string& file, const std::vector<Point>& points)
 {
-  double largest = 0, rounding = 0;
+  double largest = 0;
+  for(const Point& p : points)
+    largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  using Float = std::numeric_limits<float>;
+  const bool is_too_large = largest > Float::max();
+  if(!is_too_large && (largest == 0 || largest >= Float::min()))
+    return;
+  std::ostringstream wrong;
+  wrong.precision(3);
+  wrong << "the format holds floats, and the largest coordinate, " << largest << ", is "
+        << (is_too_large ? "above" : "below") << " their range";
+  throw Refusal(Error_code::NON_FINITE_COORDINATE, file, wrong.str(), "write .ply, .off or .obj");
+}
+
+void check_floats(const Output_format& format, const std::vector<Point>& points)
+{
+  if(!stores_floats(format.format))
+    return;
+  check_float_range(format.name, points);
+  double rounding = 0;
   CGAL::Bbox_3 box;
   for(const Point& p : points) {
-    largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
     const Point q = rounded_to_floats(p);
     rounding = std::max({rounding, std::abs(q[0] - p[0]), std::abs(q[1] - p[1]), std::abs(q[2] - p[2])});
     box += CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
   }
-  const double size = points.empty() ? 0 : std::hypot(box.x_span(), box.y_span(), box.z_span());
-  using Float = std::numeric_limits<float>;
-  const bool is_too_large = largest > Float::max();
   constexpr double most_of_size = 1e-3;
+  const double size = points.empty() ? 0 : std::hypot(box.x_span(), box.y_span(), box.z_span());
+  if(rounding <= most_of_size * size)
+    return;
   std::ostringstream wrong;
   wrong.precision(3);
-  if(!is_too_large && (largest == 0 || largest >= Float::min())) {
-    if(rounding <= most_of_size * size)
-      return;
-    wrong << "the format holds floats, which move vertices by up to " << rounding << ", " << 100 * rounding / size
-          << " % of the size of the mesh, since it is far from the origin";
-    throw Refusal(unwritable_data, file, wrong.str(), "write .ply, .off or .obj, or move the mesh");
-  }
-  wrong << "the format holds floats, and the largest coordinate, " << largest << ", is "
-        << (is_too_large ? "above" : "below") << " their range";
-  throw Refusal(Error_code::NON_FINITE_COORDINATE, file, wrong.str(), "write .ply, .off or .obj");
+  wrong << "the format holds floats, which move vertices by up to " << rounding << ", where the mesh has the size "
+        << size << ", since it is far from the origin";
+  throw Refusal(unwritable_data, format.name, wrong.str(), "write .ply, .off or .obj, or move the mesh");
 }
 
 Point as_stored(Mesh_format format, Surface surface, Point point)

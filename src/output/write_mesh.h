@@ -31,9 +31,12 @@ enum class Surface { SHAPE, SPHERE };
 void write_mesh(std::ostream& out, const Output_format& format, const Mesh& mesh, const std::vector<Point>& points,
                 Surface surface, const Annotations& annotations = {}, const Vertex_data& data = {});
 
-/// Throws a `Refusal` if floats cannot hold the points: the largest coordinate is beyond their range, above or below,
-/// or so far from the origin that their rounding changes the shape by more than a thousandth of its size.
+/// Throws a `Refusal` if floats cannot hold the points: the largest coordinate is beyond their range, above or below.
 void check_float_range(const std::string& file, const std::vector<Point>& points);
+
+/// The same, if the format holds floats, also if the points are so far from the origin that rounding moves them by more
+/// than a thousandth of the size of the mesh.
+void check_floats(const Output_format& format, const std::vector<Point>& points);
 
 /// The coordinates that are read from a file of that format, which may hold floats and other radii.
 Point as_stored(Mesh_format format, Surface surface, Point point);

@@ -145,6 +145,9 @@ public:
     std::set<std::string> ours;
     for(const auto& [option, file] : files_of(options_, folder_))
       ours.insert(Atomic_file::beginning_of_temporary(file));
+    for(int round = 2; round <= options_.rounds; ++round)
+      for(const std::string& file : {template_of(round).mesh, template_of(round).sphere})
+        ours.insert(Atomic_file::beginning_of_temporary(file));
     Atomic_file::remove_leftovers(folder_, [&ours](const std::string& file) { return ours.count(file) > 0; });
     map_meshes();
     const Mapped_file first = {template_.mesh, sphere_of(template_)};
@@ -182,6 +185,11 @@ public:
 private:
   std::string settings(const std::set<std::string>& left_out = {}) const { return "atlas" + run_.settings(left_out); }
   std::string sphere_of(const Item& item) const { return folder_ + "/spheres/" + item.name + ".ply"; }
+  Mapped_file template_of(int round) const
+  {
+    const std::string name = folder_ + "/templates/" + std::to_string(round);
+    return {name + ".ply", name + "_sphere.ply"};
+  }
   std::string folder_of(int round) const { return folder_ + "/registered/" + std::to_string(round); }
 
   using Files = std::vector<std::string>;
@@ -320,8 +328,7 @@ private:
   /// registered to them does, too.
   Mapped_file write_template(int round, std::vector<SP::Shape_points> shapes) const
   {
-    const std::string name = folder_ + "/templates/" + std::to_string(round);
-    Mapped_file file = {name + ".ply", name + "_sphere.ply"};
+    const Mapped_file file = template_of(round);
     Atomic_file::create_folder(folder_ + "/templates");
     const std::vector<Point> mean =
       SP::mean_shape(all_cores, *mesh_, std::move(shapes), placement_of(options_), stopped_by_signals());

@@ -73,6 +73,8 @@ void morph(const Morph_options& own, const Registration_options& options, Run& r
   Registered_pair pair;
   read_pair(options, pair);
   Page::check_size(options.input, pair.a.mesh().number_of_vertices());
+  const std::string first = name_of_step(own, run.file(), 0);
+  check_floats({format_of_name(first).value(), false, first}, pair.a.mesh().points()); // before the work
   const New_folder folder(run.file());
   register_pair(options, pair);
 

@@ -96,6 +96,7 @@ void texture(const Own_options& options, Run& run)
   if(!options.image.empty())
     check_readable(options.image);
   run.read();
+  check_floats(run.mesh_format(), run.mesh().points()); // before the work
   const bool has_files_beside = is_obj(run);
   run.out();
   std::ostream* const material = has_files_beside ? &run.open(beside(run.file(), ".mtl")) : nullptr;

@@ -88,6 +88,13 @@ TEST_CASE("orientation is the sign of the determinant, however small that is", "
   CHECK((count[0] > 1000 && count[1] > 1000 && count[2] > 1000));
 }
 
+TEST_CASE("determinants of what is not finite are not finite", "[predicates]")
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(const double x : {infinity, -infinity, std::nan("")})
+    CHECK_FALSE(std::isfinite(I::accurate_determinant({.5, .5, .7}, {x, 1, 1}, {0, 1, -1})));
+}
+
 TEST_CASE("the exact determinant is that of Boost's integers, for doubles of any size", "[predicates]")
 {
   typedef boost::multiprecision::cpp_int Integer;

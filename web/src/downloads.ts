@@ -109,10 +109,18 @@ function unwrap(model: Model): { source: number[]; uv: number[]; index: Uint32Ar
 
 /// The mesh as binary glTF, with the checker as its texture and the sphere as a morph target.
 export async function texturedGlb(model: Model): Promise<Uint8Array> {
-  let largest = 0;
-  for (const x of model.points) largest = Math.max(largest, Math.abs(x));
+  let [largest, rounding] = [0, 0];
+  const [least, most] = [Array(3).fill(Infinity), Array(3).fill(-Infinity)];
+  model.points.forEach((x: number, i: number) => {
+    largest = Math.max(largest, Math.abs(x));
+    rounding = Math.max(rounding, Math.abs(Math.fround(x) - x));
+    least[i % 3] = Math.min(least[i % 3], x);
+    most[i % 3] = Math.max(most[i % 3], x);
+  });
   if (!(Math.fround(largest) < Infinity && largest >= 2 ** -126))
     throw new Error(`the format holds floats, and the largest coordinate, ${largest.toPrecision(3)}, is beyond their range`);
+  if (rounding > 1e-3 * Math.hypot(...least.map((x, k) => most[k] - x))) // as the tool says it
+    throw new Error("the format holds floats, which would change the shape, since the mesh is far from the origin");
   const { source, uv, index } = unwrap(model);
   const position = Float32Array.from(source.flatMap((v) => [0, 1, 2].map((k) => model.points[3 * v + k]!)));
   const low = [0, 1, 2].map((k) => source.reduce((m, _, v) => Math.min(m, position[3 * v + k]!), Infinity));

@@ -66,11 +66,14 @@ inline int orientation(vec3 a, vec3 b, vec3 q)
 
 inline bool is_positively_oriented(vec3 a, vec3 b, vec3 c) { return orientation(a, b, c) > 0; }
 
-/// det(a, b, c) to 1e-6 of its value, however near the corners are to one great circle; NaN if a coordinate is.
+/// det(a, b, c) to 1e-6 of its value, however near the corners are to one great circle; not finite if a coordinate is
+/// not.
 inline double accurate_determinant(vec3 a, vec3 b, vec3 c)
 {
   const Determinant determinant(a, b, c);
-  return std::abs(determinant.value) <= 1e6 * determinant.error ? exact_determinant(a, b, c) : determinant.value;
+  const bool is_certain =
+    !(std::abs(determinant.value) <= 1e6 * determinant.error) || !std::isfinite(determinant.error);
+  return is_certain ? determinant.value : exact_determinant(a, b, c);
 }
 
 /// Signed area of the spherical triangle (a, b, c) of unit vectors, positive if it is seen counter-clockwise from

@@ -77,7 +77,7 @@ std::optional<Row> to_row(const std::string& line)
 std::vector<Row> jobs_of(const Options& options)
 {
   std::vector<Row> jobs;
-  for(const std::string& mesh : tool::list_meshes(options.meshes, options.list))
+  for(const std::string& mesh : tool::list_meshes(tool::named_inputs(options.meshes, options.list)))
     for(const std::string& method : options.methods)
       for(const std::string& weights : method == "isometric" ? std::vector<std::string>{"none"} : options.weights) {
         Row job = {{"mesh", mesh}, {"method", method}, {"weights", weights}, {"method used", ""}, {"message", ""}};

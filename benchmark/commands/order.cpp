@@ -95,7 +95,7 @@ void tabulate_order(const Options& options)
   Table table(options.output, "order", "Vertex orders (Figure 2 of the paper)", notes,
               {"model", "vertices", "order", "backend", "sweep ms", "relative", "D1 misses per vertex",
                "LL misses per vertex", "order ms"});
-  for(const std::string& file : tool::list_meshes(options.meshes, ""))
+  for(const std::string& file : tool::list_meshes(options.meshes))
     with_mesh(file, [&](Mesh& mesh, Sphere_map) {
       subdivide(mesh, options.subdivisions);
       const Sweep_graph library(mesh, Weights::BARYCENTRIC);

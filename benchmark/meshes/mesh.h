@@ -47,7 +47,7 @@ try {
 template <class F>
 void for_each_mesh(const std::vector<std::string>& files_and_folders, F f)
 {
-  const std::vector<std::string> files = tool::list_meshes(files_and_folders, "");
+  const std::vector<std::string> files = tool::list_meshes(files_and_folders);
   if(files.empty())
     throw std::runtime_error("there is no mesh file in these folders");
   for(const std::filesystem::path file : files)

@@ -76,7 +76,7 @@ def write_data(path: Path, columns: Sequence[VertexColumn]) -> None:
     Parameters
     ----------
     path : str or path
-        .csv holds all columns, .func.gii and .shape.gii hold numbers, .label.gii and .annot hold labels. FreeSurfer's .label
+        .csv holds all columns, .func.gii and .shape.gii hold numbers, .label.gii and .annot hold labels, .annot with the keys 0, 1, 2, ... FreeSurfer's .label
         holds one column of numbers, and lists the vertices that have one. Any other name that begins with lh. or rh. is that
         of a FreeSurfer curv file, which holds one column of numbers. Columns that the format does not hold are left out.
     columns : sequence of VertexColumn

@@ -701,6 +701,8 @@ TEST_CASE("data: .annot numbers labels by their keys, whatever these are", "[too
   tool::Vertex_data data = {columns(42)[1]};
   const std::string name = data[0].table[1].name;
   for(const int key : {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+    for(double& value : data[0].values)
+      value = value == data[0].table[1].key ? key : value;
     data[0].table[1].key = key;
     write_data(scratch / "lh.a.annot", data);
     const tool::Vertex_column found = tool::read_vertex_data(scratch / "lh.a.annot", 42).at(0);

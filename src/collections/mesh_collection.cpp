@@ -114,16 +114,17 @@ void check_outputs(const Collection& collection)
     for(const std::string& input : collection.job(item).inputs)
       files.emplace(place(input).string(), input + ", which is read");
   }
+  std::vector<std::string> outputs;
   for(const Item& item : collection.items)
     for(const std::string& output : collection.job(item).outputs) {
       const auto [other, is_new] = files.emplace(place(output).string(), "an output for " + item.mesh);
       require(is_new, "--output", "'" + output + "' would overwrite " + other->second);
+      outputs.push_back(output);
     }
-  for(const Item& item : collection.items)
-    for(const std::string& output : collection.job(item).outputs)
-      for(fs::path folder = place(output).parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        if(const auto file = files.find(folder.string()); file != files.end())
-          require(false, "--output", "'" + output + "' would be in " + file->first + ", which is " + file->second);
+  for(const std::string& output : outputs)
+    for(fs::path folder = place(output).parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+      if(const auto file = files.find(folder.string()); file != files.end())
+        require(false, "--output", "'" + output + "' would be in " + file->first + ", which is " + file->second);
 }
 
 } // namespace

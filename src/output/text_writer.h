@@ -17,11 +17,11 @@ namespace tool {
 
 /// A field of a line of comma-separated values, in quotes where RFC 4180 asks for them, around commas, quotes and line
 /// breaks; around what others take for separators, and blanks that they leave out; and where a file that begins with
-/// the text would be taken for a compressed one ("BZh...").
-inline std::string csv_quoted(const std::string& text)
+/// the text would be taken for a compressed one ("BZh..."); or always.
+inline std::string csv_quoted(const std::string& text, bool is_always = false)
 {
   const bool has_blank = !text.empty() && (text.front() == ' ' || text.back() == ' ');
-  if(!has_blank && text.find_first_of(",\"\n\r;\t") == std::string::npos &&
+  if(!is_always && !has_blank && text.find_first_of(",\"\n\r;\t") == std::string::npos &&
      compression_of_content(text) == Compression::NONE)
     return text;
   std::string result = "\"";

@@ -37,8 +37,7 @@ void write_csv(std::ostream& out, const Vertex_data& data)
   std::vector<std::map<int, std::string>> words;
   for(const Vertex_column& column : data) {
     double number = 0; // a name in quotes is none
-    write(words.empty() ? "" : ",",
-          to_number(column.name, number) == Number::NONE ? csv_quoted(column.name) : '"' + column.name + '"');
+    write(words.empty() ? "" : ",", csv_quoted(column.name, to_number(column.name, number) != Number::NONE));
     words.emplace_back();
     for(const Label& label : column.table)
       words.back()[label.key] = csv_quoted(label.name);

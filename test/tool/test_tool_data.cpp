@@ -643,6 +643,10 @@ TEST_CASE("data: blanks beside commas are no part of numbers and names", "[tool]
   CHECK(again[3].table.size() == data[3].table.size());
   for(std::size_t k = 0; k < data[3].table.size(); ++k)
     CHECK(again[3].table[k].name == data[3].table[k].name);
+  for(const char* name : {"1", "inf", "\"inf\", so to say", "no information"}) {
+    write_data(scratch / "out.csv", {{name, {1, 2}}, {"b", {3, 4}}});
+    CHECK(tool::read_vertex_data(scratch / "out.csv", 2).at(0).name == name);
+  }
   write_text(scratch / "in.csv", "a,b\n1,2\n3,4\n\n \n");
   CHECK(tool::read_vertex_data(scratch / "in.csv", 2).at(1).values == std::vector<double>{2, 4});
   write_text(scratch / "in.csv", "\"a;b\"\n1\n3\n");

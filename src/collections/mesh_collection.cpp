@@ -102,7 +102,8 @@ bool is_about_mesh(const Refusal& refusal, const std::string& mesh, const Job& j
          std::none_of(job.inputs.begin(), job.inputs.end(), is_away);
 }
 
-void check_outputs(const Collection& collection)
+/// All outputs, none of which would take the place of another one, or of what is read.
+std::vector<std::string> checked_outputs(const Collection& collection)
 {
   Places place;
   std::unordered_map<std::string, std::string> files; // by place: what each is
@@ -125,6 +126,7 @@ void check_outputs(const Collection& collection)
     for(fs::path folder = place(output).parent_path(); folder.has_relative_path(); folder = folder.parent_path())
       if(const auto file = files.find(folder.string()); file != files.end())
         require(false, "--output", "'" + output + "' would be in " + file->first + ", which is " + file->second);
+  return outputs;
 }
 
 } // namespace
@@ -198,17 +200,13 @@ std::map<std::string, std::string> spheres_in(const std::string& folder)
 int run_collection(const Collection& collection)
 {
   watch_for_interruption();
-  check_outputs(collection);
+  const std::vector<std::string> all_outputs = checked_outputs(collection);
   const std::vector<Item>& items = collection.items;
   std::optional<Results> results;
   if(!collection.folder.empty()) {
     Atomic_file::create_folder(collection.folder);
     results.emplace(database_of(collection));
-    std::unordered_set<std::string> ours; // nobody else's: there is one run at a time
-    for(const Item& item : items)
-      for(const std::string& output : collection.job(item).outputs)
-        ours.insert(Atomic_file::beginning_of_temporary(output));
-    Atomic_file::remove_leftovers(collection.folder, [&ours](const std::string& file) { return ours.count(file) > 0; });
+    Atomic_file::remove_leftovers(collection.folder, all_outputs); // nobody else's: there is one run at a time
   }
 
   std::vector<std::optional<Results::Row>> rows(items.size());

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <random>
 #include <system_error>
+#include <unordered_set>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -22,11 +23,25 @@ namespace {
 
 const std::string before_number = ".part";
 
+/// What the name of the temporary file of a file begins with: the name, or so much of it as leaves room for the rest.
+std::string beginning_of_temporary(const std::string& file)
+{
+  constexpr std::size_t longest_name = 255, longest_number = 10;
+  const std::size_t longest = longest_name - before_number.size() - longest_number;
+  const std::size_t begin = file.rfind('/') + 1; // 0 if there is none
+  if(file.size() - begin <= longest)
+    return file;
+  std::size_t end = begin + longest;
+  while(end > begin && (file[end] & 0xc0) == 0x80) // not within a character of UTF-8
+    --end;
+  return file.substr(0, end);
+}
+
 /// In the same folder, since renaming must not copy.
 std::string temporary_without_number(const std::string& file)
 {
   if(file != standard_stream)
-    return Atomic_file::beginning_of_temporary(file) + before_number;
+    return beginning_of_temporary(file) + before_number;
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   if(error)
@@ -91,26 +106,16 @@ void Atomic_file::create_folder(const std::string& folder)
                   "check the folder above it, and its permissions");
 }
 
-std::string Atomic_file::beginning_of_temporary(const std::string& file)
+void Atomic_file::remove_leftovers(const std::string& folder, const std::vector<std::string>& files)
 {
-  constexpr std::size_t longest_name = 255, longest_number = 10;
-  const std::size_t longest = longest_name - before_number.size() - longest_number;
-  const std::size_t begin = file.rfind('/') + 1; // 0 if there is none
-  if(file.size() - begin <= longest)
-    return file;
-  std::size_t end = begin + longest;
-  while(end > begin && (file[end] & 0xc0) == 0x80) // not within a character of UTF-8
-    --end;
-  return file.substr(0, end);
-}
-
-void Atomic_file::remove_leftovers(const std::string& folder, const std::function<bool(const std::string&)>& is_ours)
-{
+  std::unordered_set<std::string> ours;
+  for(const std::string& file : files)
+    ours.insert(beginning_of_temporary(file));
   std::error_code none; // what cannot be looked at stays
   for(std::filesystem::recursive_directory_iterator it(folder, none), end; it != end; it.increment(none)) {
     const std::string file = it->path().string();
     const std::size_t number = file.rfind(before_number);
-    if(number != std::string::npos && is_ours(file.substr(0, number)) &&
+    if(number != std::string::npos && ours.count(file.substr(0, number)) > 0 &&
        file.find_first_not_of("0123456789", number + before_number.size()) == std::string::npos)
       std::filesystem::remove(it->path(), none);
   }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -30,12 +29,9 @@ public:
   /// Creates a folder for such files, with those above it, if it is not there. Throws a `Refusal`.
   static void create_folder(const std::string& folder);
 
-  /// What the name of the temporary file of a file begins with: the name, or so much of it as leaves room for the rest.
-  static std::string beginning_of_temporary(const std::string& file);
-
-  /// Removes what a process that was killed has left in a folder and its subfolders: temporary files whose names begin
-  /// with what `is_ours` says no other process writes.
-  static void remove_leftovers(const std::string& folder, const std::function<bool(const std::string&)>& is_ours);
+  /// Removes what a process that was killed has left in a folder and its subfolders: temporary files of `files`, which
+  /// no other process writes.
+  static void remove_leftovers(const std::string& folder, const std::vector<std::string>& files);
 
   /// Closes it when all has been written, and waits until it is on the disk. Throws a `Refusal` if that fails.
   void complete();

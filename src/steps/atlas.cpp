@@ -142,13 +142,12 @@ public:
   {
     Atomic_file::create_folder(folder_);
     const Lock lock(folder_, Lock::Kind::FOLDER); // or another run would replace the spheres that this one registers
-    std::set<std::string> ours;
+    Files files;
     for(const auto& [option, file] : files_of(options_, folder_))
-      ours.insert(Atomic_file::beginning_of_temporary(file));
+      files.push_back(file);
     for(int round = 2; round <= options_.rounds; ++round)
-      for(const std::string& file : {template_of(round).mesh, template_of(round).sphere})
-        ours.insert(Atomic_file::beginning_of_temporary(file));
-    Atomic_file::remove_leftovers(folder_, [&ours](const std::string& file) { return ours.count(file) > 0; });
+      files.insert(files.end(), {template_of(round).mesh, template_of(round).sphere});
+    Atomic_file::remove_leftovers(folder_, files);
     map_meshes();
     const Mapped_file first = {template_.mesh, sphere_of(template_)};
     std::vector<SP::Shape_points> shapes;

@@ -6,6 +6,8 @@
 #include "preparation/points.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Spherical_parameterization::preparation {
@@ -82,18 +84,61 @@ int Glued_surface::add_face(const std::array<int, 3>& corners, int its_old_face)
   return number_of_faces() - 1;
 }
 
+namespace {
+
+/// The places of elements in the order of those of the file, given by number; copies and what is new come last.
+std::vector<int> places_in_order(std::vector<int> old)
+{
+  std::vector<bool> is_known(old.empty() ? 0 : place(*std::max_element(old.begin(), old.end()) + 1));
+  for(int& number : old)
+    if(number == Glued_surface::none || is_known[place(number)])
+      number = (std::numeric_limits<int>::max)();
+    else
+      is_known[place(number)] = true;
+  std::vector<int> order(old.size()), places(old.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&old](int a, int b) { return old[place(a)] < old[place(b)]; });
+  for(std::size_t i = 0; i < order.size(); ++i)
+    places[place(order[i])] = static_cast<int>(i);
+  return places;
+}
+
+} // namespace
+
 Glued_surface joined(const std::vector<Glued_surface>& parts)
 {
-  Glued_surface all;
+  if(parts.size() == 1)
+    return parts.front();
+  std::vector<int> old_vertex, old_face;
   for(const Glued_surface& part : parts) {
-    const int vertices = all.number_of_vertices(), sides = all.number_of_sides();
-    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-    all.old_vertex.insert(all.old_vertex.end(), part.old_vertex.begin(), part.old_vertex.end());
-    all.old_face.insert(all.old_face.end(), part.old_face.begin(), part.old_face.end());
-    for(const auto& [a, b, c] : part.faces)
-      all.faces.push_back({a + vertices, b + vertices, c + vertices});
-    for(const int twin : part.twin)
-      all.twin.push_back(twin == Glued_surface::none ? twin : twin + sides);
+    old_vertex.insert(old_vertex.end(), part.old_vertex.begin(), part.old_vertex.end());
+    old_face.insert(old_face.end(), part.old_face.begin(), part.old_face.end());
+  }
+  const std::vector<int> vertex = places_in_order(old_vertex), face = places_in_order(old_face);
+  Glued_surface all;
+  all.points.resize(vertex.size());
+  all.old_vertex.resize(vertex.size());
+  all.faces.resize(face.size());
+  all.old_face.resize(face.size());
+  all.twin.assign(3 * face.size(), Glued_surface::none);
+  std::size_t first_vertex = 0, first_face = 0;
+  for(const Glued_surface& part : parts) {
+    const auto vertex_of = [&](int v) { return place(vertex[first_vertex + place(v)]); };
+    const auto face_of = [&](int f) { return face[first_face + place(f)]; };
+    for(int v = 0; v < part.number_of_vertices(); ++v) {
+      all.points[vertex_of(v)] = part.points[place(v)];
+      all.old_vertex[vertex_of(v)] = part.old_vertex[place(v)];
+    }
+    for(int f = 0; f < part.number_of_faces(); ++f) {
+      for(int k = 0; k < 3; ++k) {
+        all.faces[place(face_of(f))][place(k)] = static_cast<int>(vertex_of(part.faces[place(f)][place(k)]));
+        if(const int twin = part.twin_of(3 * f + k); twin != Glued_surface::none)
+          all.twin[place(3 * face_of(f) + k)] = 3 * face_of(twin / 3) + twin % 3;
+      }
+      all.old_face[place(face_of(f))] = part.old_face[place(f)];
+    }
+    first_vertex += part.points.size();
+    first_face += part.faces.size();
   }
   return all;
 }
@@ -230,8 +275,11 @@ std::size_t split_parallel_edges(Glued_surface& surface)
         to_split.push_back(side);
     }
     // two triangles back to back are no surface that can be told from its vertices
-    if(to_split.empty() && surface.number_of_faces() == 2 && boundary_cycles(surface).empty())
-      to_split = {0};
+    const bool has_others = !to_split.empty();
+    for(int f = 0; f < surface.number_of_faces() && !has_others; ++f)
+      if(const int g = surface.twin_of(3 * f) / 3;
+         f < g && surface.twin_of(3 * f + 1) / 3 == g && surface.twin_of(3 * f + 2) / 3 == g)
+        to_split.push_back(3 * f);
     if(to_split.empty())
       return split;
     for(const int side : to_split)

@@ -30,6 +30,12 @@ inline bool has_finite_corners(const Triangle_soup& soup, const Triangle_soup::T
   return std::all_of(t.begin(), t.end(), [&soup](int v) { return is_finite(soup.points[place(v)]); });
 }
 
+/// Whether it is one to begin with, not a line or a point.
+inline bool is_face(const Triangle_soup& soup, const Triangle_soup::Triangle& t)
+{
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && has_finite_corners(soup, t);
+}
+
 /// Of finite points.
 template <class Points>
 double largest_coordinate(const Points& points)
@@ -38,6 +44,17 @@ double largest_coordinate(const Points& points)
   for(const Vector& p : points)
     if(is_finite(p))
       largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  return largest;
+}
+
+/// Of the corners of faces: other points may be anywhere.
+inline double largest_coordinate(const Triangle_soup& soup)
+{
+  double largest = 0;
+  for(const auto& t : soup.triangles)
+    if(is_face(soup, t))
+      largest =
+        std::max(largest, largest_coordinate(std::array{soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]}));
   return largest;
 }
 

@@ -49,6 +49,10 @@ Glued_surface wrapped(const Triangle_soup& soup, Preparation& preparation, const
   used.offset = used.offset.value_or(size / 1500);
   if(!(*used.offset > 0 && *used.alpha > 0)) // the defaults, of points that are all at the same place
     throw internal::Input_error(Error_code::EMPTY_MESH, "all points at the same place", "there is nothing to wrap");
+  constexpr double largest_harmless = 1e100; // whose square is a number
+  if(*used.offset > largest_harmless || *used.alpha > largest_harmless)
+    throw internal::Input_error(Error_code::TOO_LARGE, "a size that is nothing to that alpha or offset",
+                                "give smaller ones");
   Gluing_defects none;
   Glued_surface surface = glue(wrap(soup, *used.alpha, *used.offset, go_on), 0, none, go_on);
   std::fill(surface.old_vertex.begin(), surface.old_vertex.end(), Glued_surface::none);
@@ -210,7 +214,7 @@ Preparation prepare_in_unit(const Triangle_soup& soup, const Preparation_setting
       remove_degenerate_faces(part, result);
     std::vector<int> unused;
     const std::vector<Component> left = components(part, unused);
-    if(left.size() == 1 && left[0].holes == 0 && left[0].volume < 0) {
+    if(left.size() == 1 && left[0].holes == 0 && left[0].volume < 0) { // of several, one may be the cavity of another
       turn_round(part, std::vector<bool>(part.faces.size(), true));
       ++result.turned_parts;
     }
@@ -236,27 +240,29 @@ double diagonal(const Triangle_soup& soup)
   Vector low = {largest, largest, largest}, high = {-largest, -largest, -largest};
   for(const auto& triangle : soup.triangles)
     for(const int v : triangle)
-      if(const Vector& p = soup.points[v]; is_finite(p))
+      if(const Vector& p = soup.points[v]; is_face(soup, triangle))
         for(std::size_t k = 0; k < 3; ++k) {
           low[k] = std::min(low[k], p[k]);
           high[k] = std::max(high[k], p[k]);
         }
-  return low[0] <= high[0] ? norm(minus(high, low)) : 0; // there may be no finite corner
+  return low[0] <= high[0] ? norm(minus(high, low)) : 0; // there may be no face
 }
 
 Preparation prepare(const Triangle_soup& soup, const Preparation_settings& settings, const std::function<void()>& go_on)
 {
   // fourth powers of coordinates beyond these, as CGAL fills holes with, are no numbers
   constexpr double largest_harmless = 1e50;
-  const double largest = largest_coordinate(soup.points);
+  const double largest = largest_coordinate(soup);
   if(largest == 0 || (largest < largest_harmless && largest > 1 / largest_harmless))
     return prepare_in_unit(soup, settings, go_on);
 
   const int exponent = std::ilogb(largest);
   const auto scale = [](std::vector<Vector>& points, int power) {
     for(Vector& p : points)
-      for(double& x : p)
-        x = std::scalbn(x, power);
+      for(double& x : p) {
+        constexpr double last = std::numeric_limits<double>::max(); // where points of no face stay finite
+        x = std::isfinite(x) ? std::clamp(std::scalbn(x, power), -last, last) : x;
+      }
   };
   std::vector<Vector> points(soup.points.begin(), soup.points.end());
   scale(points, -exponent);

@@ -291,7 +291,7 @@ constexpr std::size_t most_looks_at_overlaps = 10'000; // where so many faces ov
 Hausdorff_distance hausdorff_distance(const Triangle_soup& old, const std::vector<Glued_surface>& parts,
                                       double tolerance, const std::function<void()>& go_on)
 {
-  double largest = largest_coordinate(old.points);
+  double largest = largest_coordinate(old);
   for(const Glued_surface& part : parts)
     largest = std::max(largest, largest_coordinate(part.points));
   const double unit = unit_of(largest);
@@ -309,8 +309,7 @@ Hausdorff_distance hausdorff_distance(const Triangle_soup& old, const std::vecto
         only_new.push_back(all_new.back());
     }
   for(std::size_t f = 0; f < old.triangles.size(); ++f)
-    if(const auto& [a, b, c] = old.triangles[f];
-       a != b && b != c && c != a && has_finite_corners(old, old.triangles[f])) { // the others are no faces
+    if(is_face(old, old.triangles[f])) {
       all_old.push_back(triangle(old.points, old.triangles[f], unit));
       if(!is_there[f])
         only_old.push_back(all_old.back());
@@ -357,7 +356,7 @@ std::vector<int> nearest_faces(const Triangle_soup& old, const Glued_surface& su
   if(std::find(result.begin(), result.end(), Glued_surface::none) == result.end())
     return result;
 
-  const double unit = unit_of(std::max(largest_coordinate(old.points), largest_coordinate(surface.points)));
+  const double unit = unit_of(std::max(largest_coordinate(old), largest_coordinate(surface.points)));
   Triangle_list triangles;
   for(const auto& corners : surface.faces)
     triangles.push_back(triangle(surface.points, corners, unit));

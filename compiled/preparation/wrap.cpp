@@ -40,7 +40,7 @@ Wrapping wrap(const Triangle_soup& soup, double alpha, double offset, const std:
     points.emplace_back(p[0], p[1], p[2]);
   std::vector<Triangle_soup::Triangle> triangles;
   std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(triangles),
-               [&soup](const Triangle_soup::Triangle& t) { return has_finite_corners(soup, t); });
+               [&soup](const Triangle_soup::Triangle& t) { return is_face(soup, t); });
   CGAL::Surface_mesh<Point_3> mesh;
   Stoppable stoppable(go_on);
   const auto visited = CGAL::parameters::visitor(std::ref(stoppable));

@@ -62,7 +62,7 @@ class Result:
     degree: int  #: how often the map covers the sphere; 1 for a valid map
     residual: float  #: residual of the equation that the method solves
     energy: float  #: spring energy; with `Isometric` the mean distortion
-    density_deviation: float  #: with `density`: standard deviation of log(area / target area), weighted by target area; else 0
+    density_deviation: float  #: with `density`: root mean square of log(area / target area), weighted by target area; else 0
     smallest_area: float  #: area of the smallest spherical triangle, in steradians; below 1e-26 rounding flips faces
     smallest_edge: float  #: length of the shortest chord, in units of 2^-52
     method: str  #: the method that computed the map: "balanced", "isometric", ...

@@ -257,9 +257,9 @@ int run_collection(const Collection& collection)
       if(outcome.refusal && (outcome.refusal->code() == unwritable_file || outcome.refusal->code() == opencl_error))
         throw Refusal(*outcome.refusal);
       const bool is_known = !outcome.refusal || is_about_mesh(*outcome.refusal, items[i].mesh, job, version);
-      for(std::size_t k = 0; k < before.size() && outcome.refusal && is_known; ++k)
-        if(std::error_code none; before[k].bytes >= 0 && version_of(job.outputs[k]).changed == before[k].changed)
-          fs::remove(job.outputs[k], none); // an older one
+      for(std::size_t o = 0; o < before.size() && outcome.refusal && is_known; ++o)
+        if(std::error_code none; before[o].bytes >= 0 && version_of(job.outputs[o]).changed == before[o].changed)
+          fs::remove(job.outputs[o], none); // an older one
       const std::string outputs = versions_of(job.outputs);
       const Results::Row row = outcome.refusal
                                  ? Results::Row{outcome.refusal->code(), outcome.refusal->what(), outputs, ""}

@@ -147,6 +147,14 @@ void read_data(const Mapping_options& options, std::size_t number_of_vertices, V
   number_equal_names(data);
 }
 
+std::string triangulation_text(const std::string& file, const Mapped_mesh& input, const std::string& of_what)
+{
+  const std::size_t polygons = input.file->triangulated_polygons;
+  return polygons == 0 ? ""
+                       : std::to_string(polygons) + " polygons were triangulated, so the faces " + of_what +
+                           " are not those of " + file + '\n';
+}
+
 std::string preparation_text(const std::string& file, const Mapped_mesh& input)
 {
   if(input.prepared)

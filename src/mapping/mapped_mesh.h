@@ -57,6 +57,9 @@ void map_input(const Mapping_options& options, Mapped_mesh& input, Map_quality q
 /// result is that of the file then. Throws a `Refusal` that names `output` if rounding flips faces.
 void certify_as_stored(const std::string& output, Mesh_format format, Mapped_mesh& input, const Sphere& sphere);
 
+/// If polygons were triangulated: a line, with its end, which says of the faces of what that they are others.
+std::string triangulation_text(const std::string& file, const Mapped_mesh& input, const std::string& of_what);
+
 /// Lines on what was done to the mesh, each with its end; if nothing was, whether it is turned inside out, which counts
 /// where shapes are compared or cut.
 std::string preparation_text(const std::string& file, const Mapped_mesh& input);

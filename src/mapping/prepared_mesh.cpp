@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace tool {
 namespace {
@@ -101,11 +102,35 @@ std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std
                                         std::size_t first_free)
 {
   const Preparation& preparation = prepared.preparation;
-  const std::vector<int> nearest = nearest_faces(prepared.soup, preparation.parts.front());
+  const Soup& soup = prepared.soup;
+  const std::vector<int> nearest = nearest_faces(soup, preparation.parts.front());
+  std::map<Point, int>
+    pieces_at; // the component with a vertex there, the largest; of faces that were removed by themselves
+  const auto for_each_corner = [&](bool was_removed, const auto& action) {
+    for(std::size_t f = 0; f < soup.triangles.size(); ++f)
+      if((preparation.piece_of_face[f] < 0) == was_removed && has_finite_corners(soup, soup.triangles[f]))
+        for(const int v : soup.triangles[f])
+          action(soup.points[place(v)], preparation.piece_of_face[f]);
+  };
+  const int none = std::numeric_limits<int>::max();
+  for_each_corner(true, [&](const Point& p, int) { pieces_at.emplace(p, none); });
+  if(!pieces_at.empty())
+    for_each_corner(false, [&](const Point& p, int piece) {
+      if(const auto found = pieces_at.find(p); found != pieces_at.end())
+        found->second = std::min(found->second, piece);
+    });
   std::vector<std::size_t> result;
-  for(std::size_t f = 0; f < prepared.soup.triangles.size(); ++f) {
-    const int piece = preparation.piece_of_face[f];
-    const bool is_elsewhere = piece >= 0 && !preparation.pieces[place(piece)].is_kept;
+  for(std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    int piece = preparation.piece_of_face[f];
+    if(piece < 0 && has_finite_corners(soup, soup.triangles[f])) {
+      // removed by itself: it is of the component, too, that has all of its corners
+      const auto& [a, b, c] = soup.triangles[f];
+      piece = pieces_at.at(soup.points[place(a)]);
+      for(const int v : {b, c})
+        if(pieces_at.at(soup.points[place(v)]) != piece)
+          piece = -1;
+    }
+    const bool is_elsewhere = piece >= 0 && piece != none && !preparation.pieces[place(piece)].is_kept;
     result.push_back(is_elsewhere ? first_free + place(piece) : labels[place(nearest[f])]);
   }
   return result;

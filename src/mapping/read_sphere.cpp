@@ -105,7 +105,11 @@ SP::Result read_sphere(const SP::Any_policy& policy, const std::string& file, co
   const Stopwatch certifying;
   auto result = certify(policy, mesh, sphere);
   result.seconds.certify = certifying.seconds();
-  if(!result)
+  if(result.degree == -1)
+    result.detail += "; it is a mirror image: negate one coordinate of the sphere, or reverse the faces of both";
+  else if(!result && certify(policy, mesh, given.points))
+    result.detail += " where its points are rounded to unit vectors; map the mesh again";
+  else if(!result)
     result.detail += "; map the mesh again, and keep all digits";
   return result;
 }

@@ -157,7 +157,8 @@ std::string verdict(const SP::Length_changes& changes, bool has_landmarks)
 std::string trust_text(const SP::Registration_result& result, bool has_landmarks)
 {
   switch(result.trust()) {
-  case SP::Registration_result::Trust::SURE: return "\ncorrespondence: sure";
+  case SP::Registration_result::Trust::SURE:
+    return std::string("\ncorrespondence: sure") + (has_landmarks ? ", but for what the landmarks changed" : "");
   case SP::Registration_result::Trust::UNSURE:
     return std::string("\ncorrespondence: not sure, other candidates are nearly as good; check it, or give ") +
            (has_landmarks ? "more " : "") + "--landmarks";

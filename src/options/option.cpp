@@ -91,7 +91,8 @@ void Option::set(const std::vector<std::string>& typed) const
     char* end = nullptr;
     const double x = std::strtod(word.c_str(), &end);
     require(!word.empty() && *end == '\0' && std::isfinite(x), name(), "'" + word + "' is no number");
-    require(!is_whole || (x == std::floor(x) && std::abs(x) < 1e15), name(), "'" + word + "' is no whole number");
+    require(!is_whole || x == std::floor(x), name(), "'" + word + "' is no whole number");
+    require(!is_whole || std::abs(x) < 1e15, name(), "'" + word + "' is too large a number");
     if(!interval.empty())
       require(is_in(interval, x), name(), rule_of(interval));
     return x;

@@ -14,7 +14,7 @@ namespace {
 
 Json to_json(const Defect& defect)
 {
-  return {{"count", defect.count}, {"first", known(defect.count > 0, defect.first)}};
+  return {{"count", defect.count}, {"first", known(defect.first >= 0, defect.first)}};
 }
 
 Json to_json(const std::vector<Loop>& loops)

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <sstream>
 
 namespace tool {
@@ -30,7 +31,8 @@ void say_radius(std::ostream& out, const std::string& file, const Given_sphere& 
   if(sphere.largest_radius <= (1 + rounding) * sphere.smallest_radius)
     out << "radius " << sphere.largest_radius << '\n';
   else
-    out << "points at distances from " << sphere.smallest_radius << " to " << sphere.largest_radius
+    out << "points at distances from " << std::setprecision(5) << sphere.smallest_radius << " to "
+        << sphere.largest_radius << std::setprecision(3)
         << " of the origin, from which they are projected to the sphere\n";
 }
 
@@ -87,7 +89,7 @@ void certify(Run& run)
                   std::string("is a mirror image, ") +
                     (left == 0 ? std::string("otherwise a valid spherical map")
                                : "and its mirror image has " + std::to_string(left) + " flipped faces"),
-                  "negate one coordinate of the sphere, or reverse the faces of the mesh");
+                  "negate one coordinate of the sphere, or reverse the faces of both");
   }
   if(!result)
     throw Refusal(result.error, run.options.sphere, "is no valid spherical map: " + result.detail, "");

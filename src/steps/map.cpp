@@ -19,9 +19,7 @@ void say(Run& run)
   std::ostringstream text, line;
   text.precision(3);
   line << "valid spherical map: " << result.flipped_faces << " flipped faces, degree " << result.degree;
-  if(input.file->triangulated_polygons > 0)
-    text << input.file->triangulated_polygons
-         << " polygons were triangulated, so the faces of the sphere are not those of " << name << '\n';
+  text << triangulation_text(name, input, "of the sphere");
   const std::string preparation = preparation_text(name, input.prepared);
   if(!preparation.empty())
     text << preparation
@@ -36,7 +34,7 @@ void say(Run& run)
   if(!shortfall.empty())
     text << "\nvalid, but " << shortfall;
   if(!run.options.density.empty() && !std::isnan(result.density_deviation))
-    text << "\nstandard deviation of log(area / target area): " << result.density_deviation;
+    text << "\nroot mean square of log(area / target area): " << result.density_deviation;
   text << '\n'
        << result.method << ", " << (result.method == "isometric" ? "" : run.options.weights + " weights, ")
        << run.options.policy << " on " << result.device << ": " << result.start_iterations

@@ -85,7 +85,9 @@ void resample(const Resample_options& options, Run& run)
 {
   run.read();
   run.map();
-  const Mapped_mesh target = sphere_of(options, run);
+  Mapped_mesh target = sphere_of(options, run);
+  if(run.has("--output-sphere"))
+    certify_as_stored(run.file("--output-sphere"), run.mesh_format("--output-sphere").format, target, target.sphere);
   const Mesh& out = target.mesh();
   const SP::Spherical_locator<Mesh> shape(run.mesh(), as_map(run.input.sphere));
   constexpr std::size_t points_at_once = 4096;

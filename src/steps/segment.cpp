@@ -138,7 +138,8 @@ void segment(const Segment_options& own, Labelled_shape& shape, Run& run)
   run.line = std::to_string(number_of_segments) + " segments";
   if(likeness)
     run.line += ", labels of " + own.like + ": " + SP::get_trust_name(likeness->trust());
-  run.text = preparation_text(name_of_input, input) + name_of_input + ": " + run.line;
+  run.text = triangulation_text(name_of_input, input, "that have segments") + preparation_text(name_of_input, input) +
+             name_of_input + ": " + run.line;
   if(!input.result.fallback_reason.empty()) {
     run.line += ", " + input.result.method;
     run.text += "\nautomatic: " + input.result.fallback_reason;

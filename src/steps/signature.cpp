@@ -24,7 +24,8 @@ void sign_meshes(Run& run)
   for(const std::string& why : summary.without_signature)
     std::cerr << "spherical-parameterization: " << why << '\n';
   std::ostringstream text;
-  text << run.file() << ": " << summary.meshes << " meshes, " << signatures << " signatures";
+  text << run.file() << ": " << summary.meshes << (summary.meshes == 1 ? " mesh, " : " meshes, ") << signatures
+       << (signatures == 1 ? " signature" : " signatures");
   if(summary.mended > 0)
     text << ", " << summary.mended << " of repaired meshes";
   if(summary.resumed > 0)

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -44,19 +45,20 @@ double area_on_sphere(const Sphere& sphere, const std::vector<std::size_t>& f)
   return 2 * std::atan2(CGAL::cross_product(a, b) * c, 1 + a * b + b * c + c * a);
 }
 
-/// The standard deviation of log(area / wanted area), every face with its wanted area.
+/// The root mean square of log(area / wanted area), every face with its wanted area.
 double deviation(const Soup& soup, const std::vector<double>& of_faces, const Sphere& sphere)
 {
-  double whole = 0, sum = 0, squares = 0;
+  std::vector<double> wanted;
   for(std::size_t f = 0; f < soup.faces.size(); ++f) {
     const auto& v = soup.faces[f];
-    const double wanted = of_faces[f] * area(soup.points[v[0]], soup.points[v[1]], soup.points[v[2]]);
-    const double x = std::log(area_on_sphere(sphere, v) / wanted);
-    whole += wanted;
-    sum += wanted * x;
-    squares += wanted * x * x;
+    wanted.push_back(of_faces[f] * area(soup.points[v[0]], soup.points[v[1]], soup.points[v[2]]));
   }
-  return std::sqrt(squares / whole - sum / whole * sum / whole);
+  const double whole = std::accumulate(wanted.begin(), wanted.end(), 0.), sphere_area = 4 * std::acos(-1.);
+  double squares = 0;
+  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+    squares +=
+      wanted[f] * std::pow(std::log(area_on_sphere(sphere, soup.faces[f]) / sphere_area * whole / wanted[f]), 2);
+  return std::sqrt(squares / whole);
 }
 
 std::vector<double> of_faces(const Soup& soup, const std::vector<double>& of_vertices)
@@ -134,6 +136,25 @@ TEST_CASE("larger exponents bring areas nearer to what is wanted", "[density]")
     before = result.density_deviation;
   }
   CHECK(before < 0.12);
+}
+
+TEST_CASE("no face of a small target covers much of the sphere", "[density]")
+{
+  const Soup soup = icosphere(GENERATE(3, 4));
+  const int axis = GENERATE(0, 1, 2);
+  const double rate = GENERATE(2., 3.);
+  std::vector<double> density;
+  for(const Point& p : soup.points)
+    density.push_back(std::exp(rate * p[axis]));
+  Sphere sphere;
+  const Result result = solve(soup, sphere, with_density(density));
+  CAPTURE(result, axis, rate);
+  REQUIRE(bool(result));
+  CHECK(result.density_deviation < 0.05);
+  double largest = 0;
+  for(const auto& f : soup.faces)
+    largest = std::max(largest, area_on_sphere(sphere, f));
+  CHECK(largest < 0.1);
 }
 
 TEST_CASE("a uniform density changes no bit", "[density]")

@@ -180,6 +180,45 @@ TEST_CASE("the energy is that of the map that is stored, in the scale that fits 
         Approx(SP::distortion_summary(mesh, on(sphere)).spherical_symmetric_dirichlet.mean).epsilon(1e-5));
 }
 
+TEST_CASE("no face of a dumbbell with a thin neck covers much of the sphere", "[isometric]")
+{
+  const double exponent = GENERATE(1., 2., 3., 10.);
+  const auto [neck, length] = GENERATE(std::pair(0.035, 2.09), std::pair(0.12, 3.58), std::pair(0.3, 2.));
+  const Soup soup = transformed(icosphere(4), [neck = neck, length = length](const Point& p) {
+    const double width = neck + (1 - neck) * std::clamp((std::abs(p.z()) - 0.2) / 0.3, 0., 1.);
+    return Point(width * p.x(), width * p.y(), length * p.z());
+  });
+  Settings settings = isometric();
+  settings.method = SP::Isometric{exponent};
+  double last = 0;
+  settings.callback = [&](double fraction) {
+    CHECK(fraction >= last); // there may be two maps
+    last = fraction;
+    return true;
+  };
+  const Sphere sphere = solve_or_throw(soup, settings);
+  CAPTURE(exponent, neck, length);
+  double largest = 0;
+  for(const auto& f : soup.faces) {
+    const Vector a = sphere[f[0]] - CGAL::ORIGIN, b = sphere[f[1]] - CGAL::ORIGIN, c = sphere[f[2]] - CGAL::ORIGIN;
+    largest = std::max(largest, 2 * std::atan2(CGAL::cross_product(a, b) * c, 1 + a * b + b * c + c * a));
+  }
+  CHECK(largest < 0.01 * 4 * std::acos(-1.));
+}
+
+TEST_CASE("large exponents measure and fit areas by the scale of the map that they have got to", "[isometric]")
+{
+  const Soup soup = transformed(icosphere(0), [](const Point& p) { return Point(p.x(), p.y(), 2 * p.z()); });
+  Settings settings = isometric();
+  const auto energy = [&](double exponent) {
+    settings.method = SP::Isometric{exponent};
+    Sphere sphere;
+    return solve(soup, sphere, settings).energy;
+  };
+  CHECK(energy(30) < 5.56); // 5.81 by the scale at the start
+  CHECK(energy(100) < 5.56);
+}
+
 TEST_CASE("scaling by a power of two, and exact translations, leave isometric maps as they are", "[isometric]")
 {
   const Soup soup = transformed(flat_octahedron(4), [](const Point& p) { return Point(p.x(), 2 * p.y(), 4 * p.z()); });

@@ -349,6 +349,12 @@ TEST_CASE("majorities of long rows, and values that are missing", "[resample]")
     labels[v] = v % 7 == 0 ? 1 : v % 7 < 4 ? 2 : 3; // 3/7 each of the last two, and 2 has what is left over
   CHECK(weights.majorities(labels) == std::vector<int>{2});
 
+  SP::Resampling_weights tie;
+  tie.vertex = {0, 1, 2};
+  tie.weight = {0.25, 0.5, 0.25};
+  tie.begin = {0, 3};
+  CHECK(tie.majorities(std::vector<int>{7, 8, 7}) == std::vector<int>{7}); // the first of two that have a half each
+
   labels.pop_back();
   CHECK_THROWS_AS(weights.majorities(labels), CGAL::Precondition_exception);
   CHECK_THROWS_AS(weights.nearest(labels), CGAL::Precondition_exception);

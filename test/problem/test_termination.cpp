@@ -131,7 +131,12 @@ TEST_CASE("what reads a result is told of a valid map that is not what was asked
     out << result;
     return out.str();
   };
+  CHECK(line().find("(100 vertices") != std::string::npos);
+  result.degree = 0;
+  CHECK(line().find("vertices") == std::string::npos); // there is no map
   result.termination = Termination::CONVERGED;
+  CHECK(line().find("(100 vertices, 0 flipped faces, degree 0") != std::string::npos); // one that has collapsed
+  result.degree = 1;
   CHECK(line().find("valid spherical map (100 vertices, 0 flipped") == 0);
   result.termination = Termination::STALLED;
   result.moved_vertices = 3;

@@ -239,6 +239,23 @@ TEST_CASE("the energies of the wave kernel signature ascend within the spectrum,
   }
 }
 
+TEST_CASE("sizes whose squares are no numbers have no spectrum", "[spectrum]")
+{
+  const double size = GENERATE(1e-200, 1e-120, 1e120, 1e200);
+  const Plain_mesh ball = octasphere(3);
+  std::vector<std::array<double, 3>> points;
+  for(const vec3& p : ball.point)
+    points.push_back({size * p.x, size * p.y, size * p.z});
+  const SP::Indexed_triangle_mesh mesh(points, ball.face);
+  SP::Error_code code = SP::Error_code::OK;
+  try {
+    CHECK(SP::laplacian_eigenpairs(mesh, 4).value[1] * size * size == Approx(2).epsilon(0.1));
+  } catch(const SP::Error& error) {
+    code = error.code();
+  }
+  CHECK(code == (size == 1e-200 || size == 1e200 ? SP::Error_code::NON_FINITE_COORDINATE : SP::Error_code::OK));
+}
+
 TEST_CASE("what has no spectrum is refused, and callback and time limit end it", "[spectrum]")
 {
   Surface surface = surface_of(bumpy(4));

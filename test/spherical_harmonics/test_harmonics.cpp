@@ -220,6 +220,16 @@ TEST_CASE("directions have any length but 0", "[harmonics]")
   for(double length : {1e-300, 1e-161, 1e155, 1e300})
     CHECK(values(length) == Approx(values(1)).epsilon(1e-12));
   CHECK_THROWS_AS(values(0), SP::Error);
+
+  const Mesh mesh = make_mesh(icosphere(2));
+  std::vector<Point> longer;
+  for(const Point& p : mesh.points())
+    longer.push_back(CGAL::ORIGIN + (1.5 + p.x()) * (p - CGAL::ORIGIN));
+  const auto integrals = [&mesh](const auto& sphere) {
+    return SP::harmonic_analysis(mesh, sphere, mesh.points(), 3, SP::Integration()).coefficients;
+  };
+  const Readable_map<Vertex, Point> at_length{[&longer](Vertex v) { return longer[v.idx()]; }};
+  CHECK(difference(integrals(at_length), integrals(mesh.points())) < 1e-12);
 }
 
 TEST_CASE("far from the origin harmonics keep their digits", "[harmonics]")

@@ -260,6 +260,29 @@ TEST_CASE("a corner at a pole has the mean u of its face", "[texture]")
   CHECK(area == Approx(0.5).epsilon(1e-14));
 }
 
+TEST_CASE("a vertex is at the pole also where roundings differ", "[texture]")
+{
+  const Soup soup = icosphere(2);
+  const double length = GENERATE(1., 1 + 7e-16, 3., 1e-7, 1e200);
+  Mapped_soup map = {"icosphere", soup, soup.points};
+  const std::size_t pole = GENERATE(0, 5, 17, 100);
+  for(Point& p : map.sphere)
+    p = CGAL::ORIGIN + length * (p - CGAL::ORIGIN);
+  Texture_options o = options(Texture_chart::LATITUDE_LONGITUDE);
+  for(const double axis : {1., 3., 1 / length, -0.1}) {
+    o.axes = axes(axis * (map.sphere[pole] - CGAL::ORIGIN), Vector(0.3, 0.8, -0.4));
+    const Texture t = texture(map, o);
+    CAPTURE(length, pole, axis);
+    for(std::size_t f = 0; f < soup.faces.size(); ++f)
+      for(std::size_t k = 0; k < 3; ++k)
+        if(soup.faces[f][k] == pole) {
+          const Triangle& uv = t.triangles[f];
+          CHECK(uv[k].x() == Approx((uv[(k + 1) % 3].x() + uv[(k + 2) % 3].x()) / 2).margin(1e-12));
+          CHECK(uv[k].y() == (axis > 0 ? 1 : 0));
+        }
+  }
+}
+
 TEST_CASE("by default the south pole is a vertex, and in the limb of a capsule", "[texture]")
 {
   const Soup soup = capsule(4, 24);

@@ -585,7 +585,7 @@ TEST_CASE("map: densities of vertices or faces are followed and reported", "[too
     const Process_result run = run_tool(arguments);
     CAPTURE(run.err);
     REQUIRE(run.exit_code == 0);
-    CHECK(run.out.find("standard deviation of log(area / target area): ") != std::string::npos);
+    CHECK(run.out.find("root mean square of log(area / target area): ") != std::string::npos);
     const auto report = nlohmann::json::parse(text_of(scratch / "report.json"));
     CHECK(report.at("method_used") == "isometric");
     CHECK(report.at("settings").at("density") == scratch / "density.txt");

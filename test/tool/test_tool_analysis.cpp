@@ -648,7 +648,7 @@ TEST_CASE("segment: flipped tips are no harm, but a sphere that is mirrored is r
   const Process_result mirrored =
     segment(transformed(sphere, [](const Point& p) { return Point(-p.x(), p.y(), p.z()); }));
   CHECK(mirrored.exit_code == 1);
-  CHECK(mirrored.err.find("the degree is -1") != std::string::npos);
+  CHECK(mirrored.err.find("the degree is -1; it is a mirror image: negate one coordinate") != std::string::npos);
 }
 
 TEST_CASE("option --sphere: the map of 'map' gives the same as mapping again", "[tool]")

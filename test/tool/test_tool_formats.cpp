@@ -325,6 +325,13 @@ TEST_CASE("formats: a sphere that floats cannot hold is refused, not written", "
     CHECK(contains(run.err, "faces flip when the sphere is rounded to the floats"));
     CHECK_FALSE(fs::exists(scratch / name));
   }
+  const Process_result resampled =
+    run_tool({"resample", write_off(scratch / "ball.off", icosphere(1)), "-o", scratch / "new.off", "--to-sphere",
+              scratch / "out.ply", "--output-sphere", scratch / "new.gii"});
+  CHECK(resampled.exit_code == 1);
+  CHECK(contains(resampled.err, "new.gii: "));
+  CHECK(contains(resampled.err, "faces flip when the sphere is rounded to the floats"));
+  CHECK_FALSE(fs::exists(scratch / "new.gii"));
 }
 
 TEST_CASE("formats: shapes beyond the range of floats are refused, not written", "[tool][formats]")

@@ -726,6 +726,61 @@ TEST_CASE("prepare: the size of the numbers makes no difference", "[tool]")
   }
 }
 
+TEST_CASE("prepare: a vertex of no face has no say, however far away it is", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = joined(icosphere(0), inside_out(open_sphere(2)), Vector(9, 0, 0));
+  const Prepared without(scratch, soup);
+  for(const double far : {1e60, 1e120, 1.7e308}) {
+    Soup with_it = soup;
+    with_it.points.emplace_back(far, far, far);
+    const Prepared prepared(scratch, with_it);
+    CHECK(prepared.out.points == without.out.points);
+    CHECK(prepared.out.faces == without.out.faces);
+    CHECK(prepared.distance() == without.distance());
+    CHECK(prepared.report["preparation"]["components"] == without.report["preparation"]["components"]);
+  }
+}
+
+TEST_CASE("prepare: what is kept has the order of the file, in several components, too", "[tool]")
+{
+  Scratch scratch;
+  const Soup soup = joined(icosphere(1), icosphere(2), Vector(9, 0, 0)); // the largest is the second
+  for(const char* steps : {"merge,orient", "merge,orient,handles", "merge,orient,holes,handles,degenerate"}) {
+    const Prepared prepared(scratch, soup, {"--steps", steps});
+    CHECK(prepared.out.points == soup.points);
+    CHECK(prepared.out.faces == soup.faces);
+  }
+  const Soup open = joined(open_sphere(1), open_sphere(2), Vector(9, 0, 0));
+  const Prepared prepared(scratch, open, {"--steps", "merge,orient,holes,handles"});
+  check_maps(open, prepared);
+  CHECK(std::vector(prepared.out.faces.begin(), prepared.out.faces.begin() + int(open.faces.size())) == open.faces);
+}
+
+TEST_CASE("prepare: triangles back to back beside other components are no repeated faces", "[tool]")
+{
+  Scratch scratch;
+  Soup soup = icosphere(1);
+  soup.faces.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2});
+  for(const Point& p : {Point(9, 0, 0), Point(10, 0, 0), Point(9, 1, 0)})
+    soup.points.push_back(p);
+  const Prepared prepared(scratch, soup, {"--steps", "merge,orient,holes"});
+  const Prepared again(scratch, prepared.out, {"--steps", "merge,orient,holes"});
+  CHECK(again.out.faces == prepared.out.faces);
+  CHECK(again.report["preparation"]["repeated_faces"]["count"] == 0);
+}
+
+TEST_CASE("prepare: faces of a hole's filling that have no area are none of the file", "[tool]")
+{
+  Scratch scratch;
+  Soup soup; // a triangle, of which one side is cut in two
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  soup.faces = {{0, 1, 3}, {1, 2, 3}};
+  const Prepared prepared(scratch, soup);
+  const auto& faces = prepared.report["preparation"]["degenerate_faces"];
+  CHECK(faces["first"].is_null());
+}
+
 TEST_CASE("prepare: a hole of many edges", "[tool]")
 {
   Scratch scratch;
@@ -835,6 +890,8 @@ TEST_CASE("prepare: of several components those that are turned are counted", "[
   CHECK(done(turned).find("turned all faces to the outside") != std::string::npos);
   CHECK(done(joined(icosphere(1), turned, Vector(9, 0, 0))).find("turned 1 component to the outside") !=
         std::string::npos);
+  const Soup hollow = joined(icosphere(2), turned, Vector(0, 0, 0)); // whose cavity stays one
+  CHECK(Prepared(scratch, hollow, {"--steps", "merge,orient"}).out.faces == hollow.faces);
 }
 
 TEST_CASE("prepare: a hole whose corners are on a line", "[tool]")
@@ -885,6 +942,24 @@ TEST_CASE("segment --prepare: a label for every face of the file", "[tool]")
     CHECK(*different.rbegin() == int(different.size()) - 1);
     CHECK(read(scratch / "out.ply").faces == soup.faces);
   }
+  // faces that were removed by themselves have the label of their own component, though it was removed, too
+  Soup repeated = joined(dumbbell(3), icosphere(1), Vector(9, 0, 0));
+  const auto [a, b, c] = std::tuple(repeated.faces.back()[0], repeated.faces.back()[1], repeated.faces.back()[2]);
+  const std::size_t last = repeated.faces.size() - 1;
+  repeated.faces.insert(repeated.faces.end(), {{b, c, a}, {a, a, b}});
+  REQUIRE(run_tool({"segment", write_off(scratch / "in.off", repeated), "-o", scratch / "out.ply", "--labels",
+                    scratch / "labels.txt", "--prepare"})
+            .exit_code == 0);
+  const Numbers of_repeated = numbers_in(scratch / "labels.txt");
+  CHECK(of_repeated.at(last + 1) == of_repeated[last]);
+  CHECK(of_repeated.at(last + 2) == of_repeated[last]);
+  CHECK(std::count(of_repeated.begin(), of_repeated.end(), of_repeated[last]) == 82); // 80 of an icosphere, and these
+
+  write_text(scratch / "cube.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                                   "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  CHECK(run_tool({"segment", scratch / "cube.obj", "-o", scratch / "out.ply", "--triangulate"})
+          .out.find("6 polygons were triangulated, so the faces that have segments are not those of ") == 0);
+
   // balanced has no answer, so the others are asked; not if the user insists
   const std::string wild = write_off(scratch / "in.off", torus(3, 3));
   const Process_result balanced =
@@ -970,6 +1045,18 @@ TEST_CASE("texture --prepare: a face whose sides were split has the coordinates 
   auto expected = coordinates(scratch / "repaired.obj");
   for(const auto& [vertex, of_file] : coordinates(scratch / "in.obj"))
     CHECK(of_file == expected[vertex]);
+}
+
+TEST_CASE("prepare --wrap: sizes beyond all reason are refused", "[tool]")
+{
+  Scratch scratch;
+  const std::string in = write_off(scratch / "in.off", icosphere(1));
+  for(const char* option : {"--alpha", "--offset"}) {
+    const Process_result run = run_tool({"prepare", in, "-o", scratch / "out.off", "--wrap", option, "1e300"});
+    CHECK(run.exit_code == 1);
+    CHECK(run.err.find("in.off: has a size that is nothing to that alpha or offset; give smaller ones") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("prepare: what has no surface is refused", "[tool]")

@@ -226,14 +226,12 @@ val answer_of(const Action& action)
     refuse(SP::get_error_name(error.code()), get_error_message(error.code()), error.detail());
   } catch(const CGAL::Failure_exception& failure) {
     refuse("BAD_ARGUMENT", failure.message());
-  } catch(const std::bad_alloc&) {
-    refuse(tool::out_of_memory, "there is not enough memory",
-           "WebAssembly has 4 GB at most; use the command-line tool");
-  } catch(const std::length_error&) {
-    refuse(tool::out_of_memory, "there is not enough memory",
-           "WebAssembly has 4 GB at most; use the command-line tool");
   } catch(const std::exception& exception) {
-    refuse(tool::internal_error, exception.what());
+    if(dynamic_cast<const std::bad_alloc*>(&exception) || dynamic_cast<const std::length_error*>(&exception))
+      refuse(tool::out_of_memory, "there is not enough memory",
+             "WebAssembly has 4 GB at most; use the command-line tool");
+    else
+      refuse(tool::internal_error, exception.what());
   }
   return answer;
 }

@@ -40,7 +40,8 @@ namespace CGAL::Spherical_parameterization {
 ///                `maximum_running_time`, as in `parameterize()`
 /// \return the pairs; vertices in the order of `vertices(mesh)`
 /// \throws Error  the codes of `parameterize()` for the mesh; `DEGENERATE_FACE` if the faces around a vertex have
-///                the area 0; `NOT_CONVERGED`; `INTERRUPTED`
+///                the area 0; `NON_FINITE_COORDINATE` for sizes above 1e140 or below 1e-140; `NOT_CONVERGED`;
+///                `INTERRUPTED`
 /// \pre 1 <= number <= number of vertices
 ///
 /// Memory: 3 numbers per vertex and pair. Time: O(n^1.5) for the factorization, and O(n number^2).
@@ -57,6 +58,8 @@ Laplacian_eigenpairs laplacian_eigenpairs(const ExecutionPolicy& policy, const T
   CGAL_SP_PRECONDITION(number >= 1 && number <= vertex.size(), "there are as many eigenpairs as vertices");
   // of the surface in a box of size 1
   const double unit = 2 * internal::Bounding_box(internal::vectors_at(vertex, points)).half_size();
+  if(unit > 0 && !(unit > 1e-140 && unit < 1e140))
+    throw Error(Error_code::NON_FINITE_COORDINATE, "the squares of lengths overflow or vanish; scale the mesh");
   internal::Spring_lengths lengths;
   const internal::Weighted_graph laplacian = internal::conformal_graph(
     internal::Watched_loop(loop, monitor), surface.copy_of_corner_table(loop), surface.point, lengths);

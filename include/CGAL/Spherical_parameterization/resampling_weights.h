@@ -59,20 +59,18 @@ struct Resampling_weights {
     std::vector<std::pair<std::size_t, double>> sums; // where each label of a row is first, and its weights so far
     return by_row<Label>(labels.size(), [&](std::size_t first, std::size_t last) {
       sums.clear();
-      std::size_t best = first;
-      double largest = 0;
       for(std::size_t k = first; k < last; ++k) {
         auto of_label = std::find_if(sums.begin(), sums.end(),
                                      [&](const auto& sum) { return labels[vertex[sum.first]] == labels[vertex[k]]; });
         if(of_label == sums.end())
           of_label = sums.insert(sums.end(), {k, 0.});
         of_label->second += weight[k];
-        if(of_label->second > largest + rounding) {
-          largest = of_label->second;
-          best = k;
-        }
       }
-      return labels[vertex[best]];
+      std::pair<std::size_t, double> best = {first, 0.};
+      for(const auto& sum : sums)
+        if(sum.second > best.second + rounding)
+          best = sum;
+      return labels[vertex[best.first]];
     });
   }
 

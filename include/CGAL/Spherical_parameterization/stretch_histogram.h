@@ -41,7 +41,7 @@ std::vector<double> stretch_histogram(const ExecutionPolicy& policy, const Trian
 {
   CGAL_SP_PRECONDITION(options.bins >= 2, "a histogram has two bins or more");
   CGAL_SP_PRECONDITION(options.low < options.high && std::isfinite(options.high - options.low),
-                       "the first bin of a histogram begins below the end of the last one, and both are finite");
+                       "the first bin of a histogram begins below the end of the last one, at a finite distance");
   CGAL_SP_PRECONDITION(options.number_of_samples >= 1, "a histogram has one sample or more");
   const auto loop = internal::host_loop(policy);
   const internal::Mapped_surface map =

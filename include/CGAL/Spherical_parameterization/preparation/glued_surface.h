@@ -75,7 +75,7 @@ struct Glued_surface {
 };
 
 /// \cond SKIP_IN_MANUAL
-/// One surface after the other, as one.
+/// All as one: vertices and faces in the order of the file, copies and new ones after these.
 Glued_surface joined(const std::vector<Glued_surface>& parts);
 
 /// Gives every corner the vertex that the gluing says. A vertex that has come apart is copied, vertices that have been

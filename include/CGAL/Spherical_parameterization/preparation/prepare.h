@@ -24,12 +24,13 @@ namespace CGAL::Spherical_parameterization::preparation {
 /// A kind of defect: how often it was found, and where first.
 struct Defect {
   std::size_t count = 0; ///< number of defects
-  int first = -1;        ///< the index of a vertex or face in the file
+  int first = -1;        ///< the index of a vertex or face in the file; -1: all of them are new
 
   /// \cond SKIP_IN_MANUAL
   void add(int where)
   {
-    if(count++ == 0)
+    ++count;
+    if(first < 0)
       first = where;
   }
   /// \endcond
@@ -141,8 +142,8 @@ Preparation prepare(const Triangle_soup& soup, const Preparation_settings& setti
 /// \param np        optional named parameters: `callback` and `maximum_running_time`, as in `parameterize()`
 /// \pre corners are indices of points, `merge_distance` is not negative, and `alpha` and `offset` are positive
 /// \return the repaired mesh, and what was done
-/// \throws Error if there is no valid face (`EMPTY_MESH`), there are too many (`TOO_LARGE`), or it was interrupted
-/// (`INTERRUPTED`)
+/// \throws Error if there is no valid face (`EMPTY_MESH`), there are too many, or squares of the sizes of a wrap are no
+/// numbers (`TOO_LARGE`), or it was interrupted (`INTERRUPTED`)
 template <class NamedParameters = parameters::Default_named_parameters>
 Preparation prepare(const Triangle_soup& soup, const Preparation_settings& settings = {},
                     const NamedParameters& np = parameters::default_values())

@@ -57,7 +57,7 @@ struct Result {
                                   ///< map that was interrupted, as is its energy then
   double energy = 0;              ///< spring energy of the map, 1/p * sum over edges; `Isometric`: mean distortion;
                                   ///< infinite if it exceeds the range of doubles
-  double density_deviation = 0;   ///< with densities: standard deviation of log(area on the sphere / target area) over
+  double density_deviation = 0;   ///< with densities: root mean square of log(area on the sphere / target area) over
                                   ///< the faces, weighted by target area; else 0
   double smallest_area = 0;       ///< of all spherical triangles, without sign; below 1e-26 rounding flips faces
   double smallest_edge = 0;       ///< length of the shortest chord, in units of 2^-52, the rounding error
@@ -131,7 +131,7 @@ inline std::ostream& operator<<(std::ostream& out, const Result& r)
     out << ": " << r.detail;
   if(r && !get_shortcoming(r).empty())
     out << ", but " << get_shortcoming(r);
-  if(r.degree != 0 || r.residual != 0) {
+  if(r.degree != 0 || r.termination) {
     out << " (" << r.number_of_vertices << " vertices, ";
     out << r.flipped_faces << " flipped faces, degree " << r.degree << ", ";
     if(!std::isnan(r.residual))

@@ -90,6 +90,13 @@ inline vec3 scaled_to_unit_box(vec3 a)
   return largest > 0 ? vec3{a.x / largest, a.y / largest, a.z / largest} : a;
 }
 
+/// The direction of a vector that is not zero; a unit vector to a few roundings stays what it is, to the last bit.
+inline vec3 direction_of(vec3 a)
+{
+  constexpr double rounding = 2e-15;
+  return std::abs(inner(a, a) - 1) <= rounding ? a : unit(scaled_to_unit_box(a));
+}
+
 } // namespace CGAL::Spherical_parameterization::internal
 
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_ALGEBRA_POINT_COORDINATES_H

@@ -12,6 +12,7 @@
 #include <CGAL/Spherical_parameterization/internal/relaxation/Distortion.h>
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -20,12 +21,13 @@ namespace CGAL::Spherical_parameterization::internal {
 /// units of its mean. To the solver a face of density d has the shape that it has, and d times its area.
 ///
 /// The finest mesh has the densities of the problem. On coarser ones a vertex has the mean of the surface that it
-/// stands for, by areas, and a face the mean of its corners. A uniform density is 1 everywhere, to the last bit.
+/// stands for, by areas, and a face the mean of its corners. A uniform density is none.
 class Carried_density {
 public:
   explicit Carried_density(const Problem& problem)
   {
-    if(problem.density.empty())
+    const auto& given = problem.density;
+    if(std::adjacent_find(given.begin(), given.end(), std::not_equal_to<>()) == given.end())
       return;
     const int number_of_faces = static_cast<int>(problem.face.size());
     Host_array<double> area(number_of_faces);

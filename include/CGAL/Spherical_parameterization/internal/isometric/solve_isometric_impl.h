@@ -23,6 +23,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
+CGAL_SP_INLINE double area_exponent(const Isometric& method, const Problem& problem)
+{
+  return method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
+                                                               : Isometric::area_exponent_of_densities);
+}
+
 /// Builds a bijective map to the sphere from a tetrahedron up, and keeps it bijective at every moment: a vertex is
 /// inserted into the kernel of its star, and moves only to where all of its faces are positively oriented by the exact
 /// predicate. E. Praun and H. Hoppe, "Spherical parametrization and remeshing", SIGGRAPH 2003; X. Hu, X.-M. Fu, L. Liu,
@@ -48,19 +54,20 @@ public:
     Landmark_budget* budget;                    ///< for all attempts
     const Host_array<vec3>* free_map = nullptr; ///< without landmarks, to begin with instead of a tetrahedron
     double least_exponent = 0;                  ///< of the area, below the whole mesh
+    /// Of the area, below `tiny_size`: there a face of a small target could end as half of the sphere, since the energy
+    /// takes the determinant of its corners for its area, and that is small, too. At 1 and below its long edges count.
+    double largest_tiny_exponent = 1;
   };
 
   Coarse_to_fine_map(const Watched_loop<Host_loop>& loop, const Isometric& method, const Problem& problem,
                      const Effort& effort, const Attempt& attempt)
-    : loop_(loop), attempt_(attempt), method_(method),
-      last_exponent_(method.area_exponent.value_or(problem.density.empty() ? Isometric::default_area_exponent
-                                                                           : Isometric::area_exponent_of_densities)),
-      exponent_(std::clamp(last_exponent_, attempt.least_exponent, largest_coarse_exponent)), distortion_(exponent_),
-      problem_(problem), effort_(effort), source_area_(area_of_source()), density_(problem),
+    : loop_(loop), attempt_(attempt), method_(method), density_(problem),
+      last_exponent_(area_exponent(method, problem)), exponent_(coarse_exponent(attempt.largest_tiny_exponent)),
+      distortion_(exponent_), problem_(problem), effort_(effort), source_area_(area_of_source()),
       mesh_(loop, problem.face, problem.size()),
       level_(loop, problem.size()), map_{Host_array<vec3>(problem.size(), vec3{0, 0, 0}),
                                          Host_array<int>(problem.size(), -1)},
-      level_sizes_(sizes_of_levels(problem.size(), exponent_))
+      level_sizes_(sizes_of_levels(problem.size(), coarse_exponent(largest_coarse_exponent)))
   {
     if(!(source_area_ > 0)) // all points are one: then all faces count as equal
       source_area_ = 1;
@@ -73,12 +80,14 @@ public:
   Host_array<vec3> run(Solver_report& report)
   {
     decimate();
+    take_exponent_of_level();
     if(attempt_.free_map)
       take_free_map();
     else
       embed_tetrahedron();
     for(; !rounds_.empty(); rounds_.pop_back()) {
       insert(std::move(rounds_.back()));
+      take_exponent_of_level();
       const bool have_landmarks_come =
         rounds_.size() <= rounds_with_landmarks_ + 1 && !std::exchange(are_landmarks_present_, true);
       if(rounds_.size() > 1) {
@@ -115,6 +124,21 @@ private:
   static constexpr int size_of_second_start = 50;
   /// Of the energy, for which a Newton step on a coarse level is worth while
   static constexpr double least_gain_without_limbs = 1e-3, least_gain_with_limbs = 1e-4;
+
+  /// Below the whole mesh
+  double coarse_exponent(double largest) const { return std::clamp(last_exponent_, attempt_.least_exponent, largest); }
+
+  void take_exponent_of_level()
+  {
+    if(mesh_.number_of_vertices() >= tiny_size)
+      take_exponent(coarse_exponent(largest_coarse_exponent));
+  }
+
+  void take_exponent(double exponent)
+  {
+    exponent_ = exponent;
+    distortion_ = Distortion(exponent);
+  }
 
   /// The smallest area that faces count with is a share of this. So it has needles as good as they will count: were the
   /// whole surface needles, and their true areas added up, then the share would be nothing to any of them.
@@ -476,14 +500,10 @@ private:
   {
     constexpr std::size_t steps_per_exponent = 6;
     constexpr double growth_of_exponent = 1.5;
-    if(exponent_ > last_exponent_) {
-      exponent_ = last_exponent_;
-      distortion_ = Distortion(exponent_);
-    }
+    take_exponent((std::min)(exponent_, last_exponent_));
     descend(newton, number_of_steps(), report);
     while(exponent_ < last_exponent_) {
-      exponent_ = (std::min)(last_exponent_, growth_of_exponent * exponent_);
-      distortion_ = Distortion(exponent_);
+      take_exponent((std::min)(last_exponent_, growth_of_exponent * exponent_));
       descend(newton,
               exponent_ < last_exponent_ ? (std::min)(steps_per_exponent, number_of_steps()) : number_of_steps(),
               report);
@@ -509,6 +529,8 @@ private:
   /// is near to the one by a new matrix, but not with landmarks, round which the map is stiff.
   void measure(Newton_relaxation<>& newton, Solver_report& report)
   {
+    if(exponent_ > 1) // large ones are for the areas, of which the scale is a part
+      level_.fit_scale();
     make_storable(loop_.bare(), problem_, level_.position());
     const double accuracy = effort_.accuracy.value_or(Isometric::default_accuracy);
     const bool are_defaults = accuracy >= Isometric::default_accuracy &&
@@ -519,7 +541,7 @@ private:
         ? newton.gain_ahead_by_last_matrix(iterations_ahead, linear_tolerance)
         : newton.gain_ahead(are_defaults ? iterations_ahead : maximum_linear_iterations, linear_tolerance);
     report.has_converged = are_defaults || report.residual <= accuracy;
-    level_.fit_scale(); // which the steps have left as it was
+    level_.fit_scale(); // which the steps of small exponents have left as it was
     report.energy = level_.energy(distortion_);
   }
 
@@ -552,6 +574,8 @@ private:
       loop_.advance(progress());
       if(rounds_.empty())
         work_of_last_level_ *= work_left;
+      if(rounds_.empty() && exponent_ > 1)
+        level_.fit_scale();
       const double gain = is_to_converge ? newton.step_near_minimum(maximum_linear_iterations, fine_linear_tolerance)
                                          : newton.step(maximum_linear_iterations, tolerance);
       report.residual = newton.promised_gain();
@@ -591,13 +615,13 @@ private:
   const Watched_loop<Host_loop>& loop_;
   Attempt attempt_;
   Isometric method_;
+  Carried_density density_;
   double last_exponent_; ///< of the area
   double exponent_;      ///< of the area, at the moment
   Distortion distortion_;
   const Problem& problem_;
   Effort effort_;
   double source_area_;
-  Carried_density density_;
   Progressive_mesh mesh_;
   Map_level<> level_;
   Partial_map map_;
@@ -629,6 +653,23 @@ CGAL_SP_INLINE void check_fixed_faces(const Problem& problem)
   }
 }
 
+/// Whether a face covers a part of the sphere that is much larger than what it is to cover: a local minimum.
+CGAL_SP_INLINE bool has_giant_face(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position)
+{
+  constexpr double share = 0.05, factor = 20;
+  const int number_of_faces = static_cast<int>(problem.face.size());
+  const auto wanted = [&](int f) {
+    return (problem.density.empty() ? 1 : problem.density[f]) * norm(normal(problem.point, problem.face[f]));
+  };
+  const double whole = sum_by_parts(loop, number_of_faces, wanted);
+  const double giants = sum_by_parts(loop, number_of_faces, [&](int f) {
+    const auto [i, j, k] = problem.face[f];
+    const double area = spherical_area(position[i], position[j], position[k]) / (4 * pi);
+    return area > share && area > factor * wanted(f) / whole ? 1. : 0.;
+  });
+  return giants > 0;
+}
+
 /// Runs `Coarse_to_fine_map`. Where landmarks get stuck, they do so by how the coarse mesh happens to be, or since the
 /// map of it is far from the map of the whole mesh, which they may have been taken from. Then again, from the map
 /// without landmarks, on coarse meshes that grow up to the whole mesh.
@@ -642,11 +683,24 @@ CGAL_SP_INLINE Host_array<vec3> coarse_to_fine_map(const Watched_loop<Host_loop>
   Landmark_budget budget(problem.size());
   // The smaller the exponent, the more limbs shrink, on coarse levels below the resolution of doubles.
   const auto run = [&](const Problem& of, Attempt attempt) {
-    constexpr double least_exponent = 0.1;
+    constexpr double least_exponent = 0.1, small_exponent = 0.5;
     for(;;)
       try {
         report = Solver_report();
-        return Coarse_to_fine_map<>(loop, method, of, effort, attempt).run(report);
+        Host_array<vec3> map = Coarse_to_fine_map<>(loop, method, of, effort, attempt).run(report);
+        if(of.has_fixed() || area_exponent(method, of) <= small_exponent || !has_giant_face(loop.bare(), of, map))
+          return map;
+        attempt.largest_tiny_exponent = small_exponent;
+        try {
+          Solver_report second;
+          Host_array<vec3> other = Coarse_to_fine_map<>(loop, method, of, effort, attempt).run(second);
+          if(second.energy < report.energy) {
+            report = second;
+            return other;
+          }
+        } catch(const Input_error&) { // for want of time, mostly: the first map is there
+        }
+        return map;
       } catch(const Input_error& error) {
         if(error.code() != Error_code::NOT_BIJECTIVE || attempt.least_exponent > 0 ||
            method.area_exponent.value_or(least_exponent) >= least_exponent)
@@ -685,7 +739,7 @@ CGAL_SP_INLINE double density_deviation(const Host_loop& loop, const Problem& pr
   const auto log_of_share = [&](int f) {
     const auto [i, j, k] = problem.face[f];
     constexpr double least = 1e-300;
-    return std::log((std::max)(spherical_area(position[i], position[j], position[k]), least) / wanted(f));
+    return std::log((std::max)(spherical_area(position[i], position[j], position[k]) / (4 * pi), least) / wanted(f));
   };
   const auto sum = [&](auto value) { // weighted
     return sum_by_parts(loop, number_of_faces, [&](int f) { return wanted(f) > 0 ? wanted(f) * value(f) : 0; });
@@ -693,8 +747,7 @@ CGAL_SP_INLINE double density_deviation(const Host_loop& loop, const Problem& pr
   const double whole = sum([](int) { return 1; });
   if(!(whole > 0))
     return 0;
-  const double mean = sum(log_of_share) / whole;
-  return std::sqrt(sum([&](int f) { return std::pow(log_of_share(f) - mean, 2); }) / whole);
+  return std::sqrt(sum([&](int f) { return std::pow(log_of_share(f) + std::log(whole), 2); }) / whole);
 }
 
 CGAL_SP_CORE Solution solve_isometric(const Host_loop& loop, const Isometric& method, const Problem& problem,

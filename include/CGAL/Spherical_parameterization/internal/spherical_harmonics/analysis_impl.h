@@ -253,7 +253,7 @@ Harmonic_analysis analyze_vertices(const Loop& loop, Mapped_surface given, Sampl
     const std::vector<Samples> parts = results_of_parts<part>(loop, faces, [&](int first, int last) {
       Samples samples;
       for(int f = begin + first; f < begin + last; ++f)
-        quadrature.for_each_point(map.of_image(f), [&](const Quadrature_point& point) {
+        quadrature.for_each_point(map.of_unit_image(f), [&](const Quadrature_point& point) {
           samples.direction.push_back(point.direction);
           for(int field = 0; field < d; ++field) {
             const double* const value = fields.value.data() + field * vertices;

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAPPED_SURFACE_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_INTERNAL_SURFACE_MAPPED_SURFACE_H
 
+#include <CGAL/Spherical_parameterization/internal/algebra/point_coordinates.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 #include <CGAL/Spherical_parameterization/internal/predicates/certificate.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
@@ -21,6 +22,13 @@ struct Mapped_surface : Surface {
   Host_array<vec3> image; ///< as the sphere map has it
 
   std::array<vec3, 3> of_image(int f) const { return corners(image, f); }
+
+  /// The same as unit vectors.
+  std::array<vec3, 3> of_unit_image(int f) const
+  {
+    const auto [a, b, c] = of_image(f);
+    return {direction_of(a), direction_of(b), direction_of(c)};
+  }
 
   /// Calls f(face, its corners in the source, those of its image) for all faces, in any order.
   template <class Loop, class F>

@@ -28,11 +28,9 @@ inline double distance(vec2 a, vec2 b) { return std::hypot(a.x - b.x, a.y - b.y)
 struct Frame {
   vec3 x, y, z;
 
-  /// \pre `meridian` is not parallel to `north`
+  /// \pre `north` is a unit vector to which `meridian` is not parallel
   Frame(vec3 north, vec3 meridian) : z(north)
   {
-    if(std::abs(inner(z, z) - 1) > 1e-15) // else to the last bit: there may be a vertex
-      z = unit(z);
     x = unit(tangent(meridian, z));
     y = outer(z, x);
   }

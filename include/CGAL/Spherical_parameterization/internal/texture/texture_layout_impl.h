@@ -14,15 +14,26 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SP_INLINE Frame frame_of(const Texture_axes& axes)
+/// If a vertex is at a pole to a few roundings, its direction is that of the pole, to the last bit: there u has a value
+/// by itself.
+CGAL_SP_INLINE Frame frame_of(const Texture_axes& axes, const Host_array<vec3>& image)
 {
   const vec3 north = {axes.north[0], axes.north[1], axes.north[2]};
   const vec3 meridian = {axes.meridian[0], axes.meridian[1], axes.meridian[2]};
   const vec3 normal = outer(scaled_to_unit_box(north), scaled_to_unit_box(meridian));
   CGAL_SP_PRECONDITION(is_finite(north) && is_finite(meridian) && inner(normal, normal) > 1e-20,
                        "the axes of a texture are two directions that are not parallel");
-  const bool is_unit = std::abs(inner(north, north) - 1) <= 1e-15;
-  return Frame(is_unit ? north : scaled_to_unit_box(north), scaled_to_unit_box(meridian));
+  const vec3 direction = direction_of(north);
+  vec3 pole = direction;
+  double nearest = 4e-30; // the square of a few roundings
+  for(const vec3 p : image) {
+    const vec3 at = direction_of(p), same_side = inner(at, direction) < 0 ? scale(-1, at) : at;
+    if(const double d = squared_distance(same_side, direction); d < nearest) {
+      nearest = d;
+      pole = same_side;
+    }
+  }
+  return Frame(pole, scaled_to_unit_box(meridian));
 }
 
 /// Any meridian will do: that of the coordinate axis farthest from the pole.
@@ -42,7 +53,7 @@ void lay_out_faces(const Loop& loop, const Valid_map& map, const Chart& chart, c
   const auto lay_out_part = [&](int begin, int end) {
     Texture_report report{};
     for(int f = begin; f < end; ++f) {
-      const Charted_face face = chart(map.of_image(f));
+      const Charted_face face = chart(map.of_unit_image(f));
       Uv_triangle& uv = layout.uv[f] = grid.rounded(face.uv);
       report.pole_faces += face.is_at_pole;
       if(!is_counterclockwise(uv)) {
@@ -72,7 +83,7 @@ Texture_layout texture_layout(const Loop& loop, const Valid_map& map, const Text
 {
   Texture_layout layout;
   layout.report.axes = options.axes ? *options.axes : axes_with_south_pole(least_harmful_south_pole(loop, map));
-  const Frame frame = frame_of(layout.report.axes);
+  const Frame frame = frame_of(layout.report.axes, map.image);
   const Uv_grid grid(options.bits);
   if(options.chart == Texture_chart::LATITUDE_LONGITUDE)
     lay_out_faces(loop, map, Latitude_longitude_chart{frame}, grid, layout);

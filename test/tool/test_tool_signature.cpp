@@ -419,7 +419,7 @@ TEST_CASE("signature --prepare: rows of meshes that have to be mended", "[tool][
     CHECK(run.exit_code == 1);
     return run.out;
   };
-  CHECK(sign({}) == index + ": 4 meshes, 1 signatures\n");
+  CHECK(sign({}) == index + ": 4 meshes, 1 signature\n");
   // what was refused without mending is tried again, what was not and what cannot be read is not
   CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of repaired meshes, 1 rows from an earlier run\n");
   CHECK(sign({"--prepare"}) == index + ": 4 meshes, 3 signatures, 2 of repaired meshes, 4 rows from an earlier run\n");
@@ -437,5 +437,5 @@ TEST_CASE("signature --prepare: rows of meshes that have to be mended", "[tool][
   REQUIRE(run_tool({"prepare", folder + "/open.off", "-o", scratch / "closed.off"}).exit_code == 0);
   CHECK(first(scratch / "closed.off", {}) == "  0.0000  " + folder + "/open.off");
 
-  CHECK(sign({}) == index + ": 4 meshes, 1 signatures, 2 rows from an earlier run\n");
+  CHECK(sign({}) == index + ": 4 meshes, 1 signature, 2 rows from an earlier run\n");
 }

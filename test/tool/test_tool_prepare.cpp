@@ -943,7 +943,8 @@ TEST_CASE("segment --prepare: a label for every face of the file", "[tool]")
     CHECK(read(scratch / "out.ply").faces == soup.faces);
   }
   // faces that were removed by themselves have the label of their own component, though it was removed, too
-  Soup repeated = joined(dumbbell(3), icosphere(1), Vector(9, 0, 0));
+  const Soup small = transformed(icosphere(1), [](const Point& p) { return CGAL::ORIGIN + 0.1 * (p - CGAL::ORIGIN); });
+  Soup repeated = joined(dumbbell(3), small, Vector(9, 0, 0));
   const auto [a, b, c] = std::tuple(repeated.faces.back()[0], repeated.faces.back()[1], repeated.faces.back()[2]);
   const std::size_t last = repeated.faces.size() - 1;
   repeated.faces.insert(repeated.faces.end(), {{b, c, a}, {a, a, b}});

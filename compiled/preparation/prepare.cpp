@@ -239,11 +239,11 @@ double diagonal(const Triangle_soup& soup)
   constexpr double largest = std::numeric_limits<double>::infinity();
   Vector low = {largest, largest, largest}, high = {-largest, -largest, -largest};
   for(const auto& triangle : soup.triangles)
-    for(const int v : triangle)
-      if(const Vector& p = soup.points[v]; is_face(soup, triangle))
+    if(is_face(soup, triangle))
+      for(const int v : triangle)
         for(std::size_t k = 0; k < 3; ++k) {
-          low[k] = std::min(low[k], p[k]);
-          high[k] = std::max(high[k], p[k]);
+          low[k] = std::min(low[k], soup.points[v][k]);
+          high[k] = std::max(high[k], soup.points[v][k]);
         }
   return low[0] <= high[0] ? norm(minus(high, low)) : 0; // there may be no face
 }

@@ -104,8 +104,8 @@ std::vector<std::size_t> labels_of_file(const Prepared_mesh& prepared, const std
   const Preparation& preparation = prepared.preparation;
   const Soup& soup = prepared.soup;
   const std::vector<int> nearest = nearest_faces(soup, preparation.parts.front());
-  std::map<Point, int>
-    pieces_at; // the component with a vertex there, the largest; of faces that were removed by themselves
+  // at the corners of faces that were removed by themselves: the largest component with a vertex there
+  std::map<Point, int> pieces_at;
   const auto for_each_corner = [&](bool was_removed, const auto& action) {
     for(std::size_t f = 0; f < soup.triangles.size(); ++f)
       if((preparation.piece_of_face[f] < 0) == was_removed && has_finite_corners(soup, soup.triangles[f]))

@@ -653,14 +653,18 @@ CGAL_SP_INLINE void check_fixed_faces(const Problem& problem)
   }
 }
 
+/// What a face is to cover of the sphere, in a unit that all faces have.
+CGAL_SP_INLINE double target_area(const Problem& problem, int f)
+{
+  return (problem.density.empty() ? 1 : problem.density[f]) * norm(normal(problem.point, problem.face[f]));
+}
+
 /// Whether a face covers a part of the sphere that is much larger than what it is to cover: a local minimum.
 CGAL_SP_INLINE bool has_giant_face(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position)
 {
   constexpr double share = 0.05, factor = 20;
   const int number_of_faces = static_cast<int>(problem.face.size());
-  const auto wanted = [&](int f) {
-    return (problem.density.empty() ? 1 : problem.density[f]) * norm(normal(problem.point, problem.face[f]));
-  };
+  const auto wanted = [&problem](int f) { return target_area(problem, f); };
   const double whole = sum_by_parts(loop, number_of_faces, wanted);
   const double giants = sum_by_parts(loop, number_of_faces, [&](int f) {
     const auto [i, j, k] = problem.face[f];
@@ -735,7 +739,7 @@ CGAL_SP_INLINE Host_array<vec3> coarse_to_fine_map(const Watched_loop<Host_loop>
 CGAL_SP_INLINE double density_deviation(const Host_loop& loop, const Problem& problem, const Host_array<vec3>& position)
 {
   const int number_of_faces = static_cast<int>(problem.face.size());
-  const auto wanted = [&](int f) { return problem.density[f] * norm(normal(problem.point, problem.face[f])); };
+  const auto wanted = [&problem](int f) { return target_area(problem, f); };
   const auto log_of_share = [&](int f) {
     const auto [i, j, k] = problem.face[f];
     constexpr double least = 1e-300;

@@ -25,13 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path place_of(const fs::path& path)
-{
-  std::error_code error;
-  const fs::path result = fs::weakly_canonical(path.empty() ? "." : path, error);
-  return error ? fs::absolute(path).lexically_normal() : result;
-}
-
 /// Where files are: without links, but for the file itself. Remembers the last folder.
 class Places {
 public:

@@ -44,6 +44,18 @@ std::vector<std::string> meshes_in(const std::string& folder)
 
 } // namespace
 
+fs::path place_of(const fs::path& file)
+{
+  std::error_code error;
+  // weakly_canonical() leaves names relative of which no part exists
+  const fs::path from_root = fs::absolute(file.empty() ? "." : file, error);
+  if(error) // the current folder has been removed
+    return file.lexically_normal();
+  const fs::path canonical = fs::weakly_canonical(from_root, error);
+  const fs::path place = error ? from_root.lexically_normal() : canonical;
+  return place.has_filename() ? place : place.parent_path(); // no slash at the end
+}
+
 void check_readable(const std::string& file)
 {
   if(file == standard_stream)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ std::string read_file(const std::string& file);
 
 /// Its first bytes, `size` at most. Throws a `Refusal`.
 std::string read_beginning(const std::string& file, std::size_t size);
+
+/// Where a file is, or would be: from the root, without links. An empty name is that of the current folder.
+std::filesystem::path place_of(const std::filesystem::path& file);
 
 /// Whether the name of a file is `beginning`, digits, and `end`.
 bool is_numbered(const std::string& file, const std::string& beginning, const std::string& end);

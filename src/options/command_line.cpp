@@ -46,9 +46,7 @@ public:
   std::string add(const File_option& named)
   {
     const auto& [option, file] = named;
-    std::error_code error;
-    const fs::path place = fs::weakly_canonical(file, error);
-    const auto [same_place, is_new_place] = by_place_.emplace(error ? file : place.string(), option);
+    const auto [same_place, is_new_place] = by_place_.emplace(place_of(file).string(), option);
     struct stat status;
     if(stat(file.c_str(), &status) == 0)
       if(const auto [same, is_new] = by_node_.emplace(std::pair(status.st_dev, status.st_ino), option); !is_new)
@@ -129,15 +127,15 @@ void require_extension(const std::string& option, const std::string& file, const
 void check_files(const std::vector<File_option>& inputs, const std::vector<File_option>& outputs)
 {
   std::string reader; // of the standard input
+  Named_files files;
   for(const auto& [option, file] : inputs)
-    if(file == standard_stream) {
+    if(file != standard_stream)
+      files.add({option, file});
+    else {
       require(reader != option, option, "is read more than once, as the standard input cannot be; name a file");
       require(reader.empty(), option, "reads the standard input, as " + reader + " does");
       reader = option;
     }
-  Named_files files;
-  for(const File_option& input : inputs)
-    files.add(input);
   for(const auto& [option, file] : outputs) {
     if(file.empty())
       continue;

@@ -114,13 +114,12 @@ void texture(const Own_options& options, Run& run)
   if(input.prepared)
     uv = coordinates_of_file(*input.prepared, uv);
   if(has_files_beside) {
-    const fs::path folder = fs::weakly_canonical(fs::absolute(run.file()).parent_path());
-    const fs::path image = fs::absolute(options.image.empty() ? beside(run.file(), ".png") : options.image);
+    const fs::path image = options.image.empty() ? beside(run.file(), ".png") : options.image;
     on_mesh_of_file(input, [&](const Mesh& mesh) {
       write_textured_obj(*run.out(), mesh, uv, fs::path(beside(run.file(), ".mtl")).filename().string());
     });
-    const fs::path place = fs::weakly_canonical(image.parent_path()) / image.filename();
-    write_material(*material, place.lexically_relative(folder).string());
+    const fs::path place = place_of(image.parent_path()) / image.filename();
+    write_material(*material, place.lexically_relative(place_of(fs::path(run.file()).parent_path())).string());
     if(checker)
       write_checker(*checker, 32, checker_rows(options));
   } else

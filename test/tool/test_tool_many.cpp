@@ -599,6 +599,21 @@ TEST_CASE("many: names of outputs", "[tool][many]")
     REQUIRE(run_tool({"map", a, "-o", scratch / "in/a/x.obj"}).exit_code == 0);
     CHECK(written({scratch / "in/a"}) == Names{"w.ply", "x.obj.ply", "x.off.ply"});
   }
+  SECTION("a folder that is not there, by a name without a root")
+  {
+    Process_options here;
+    here.directory = scratch.folder();
+    write_text(scratch / "in/a/x.ply", "not ours");
+    const Process_result run = run_tool({"map", "in/a/x.off", "missing/y.off", "in/b/x.off", "-o", "out"}, here);
+    CAPTURE(run.out, run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(run.err.find("missing/y.off: does not exist") != std::string::npos);
+    CHECK(files_in(out).count("in/a/x.ply") + files_in(out).count("in/b/x.ply") == 2);
+    CHECK(text_of(scratch / "in/a/x.ply") == "not ours");
+    for(const char* folder : {"in/../in", "missing/../in", "in/missing/.."})
+      CHECK(run_tool({"map", "in", "-o", folder, "--format", "off"}, here).err.find("is the folder of the meshes") !=
+            std::string::npos);
+  }
   SECTION("surfaces of FreeSurfer have no extension")
   {
     REQUIRE(run_tool({"map", a, "-o", scratch / "lh.pial"}).exit_code == 0);

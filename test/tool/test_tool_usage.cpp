@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said about a command line that is wrong.
 
+#include "helpers/meshes.h"
 #include "helpers/tool.h"
 
 #include <catch2/catch.hpp>
@@ -71,4 +72,19 @@ TEST_CASE("usage: what is missing is wrong usage", "[tool][usage]")
   check_usage({"search", "--index", "a.csv"}, {"QUERY"});
   check_usage({"search", "a.off"}, {"--index"});
   check_usage({"signature", "-o", "a.csv"}, {"IN"});
+}
+
+TEST_CASE("an output that is named in two ways is one file", "[tool]")
+{
+  Scratch scratch;
+  write_off(scratch / "in.off", icosphere(1));
+  Process_options here;
+  here.directory = scratch.folder();
+  for(const std::string& other : std::vector<std::string>{"./out.ply", "missing/../out.ply", scratch / "out.ply"}) {
+    const Process_result run = run_tool({"map", "in.off", "-o", "out.ply", "--stretch-ply", other}, here);
+    CAPTURE(other, run.err);
+    CHECK(run.exit_code == 2);
+    CHECK(run.err.find("--stretch-ply: is the same file as --output") != std::string::npos);
+    CHECK(scratch.number_of_files() == 1);
+  }
 }

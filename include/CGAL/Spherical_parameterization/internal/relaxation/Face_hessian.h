@@ -83,7 +83,7 @@ public:
       turn_[k] = outer(x_[m], sub(x_[n], x_[m])); // exact relative to the size of the triangle
     }
     if(lift > 0)
-      analyse_flat_triangle(energy, f.twice_area, 2 * dirichlet * inverse, lift);
+      analyse_flat_triangle(energy, {ratio, psi, phi}, f.twice_area, 2 * dirichlet * inverse, lift);
   }
 
   double value() const { return value_; } ///< of the energy
@@ -146,23 +146,38 @@ private:
     return {by_s.s, by_t.s, by_s.t, by_t.t};
   }
 
-  /// The negative eigenvalues of the flat triangle, if there are any, and their eigenvectors.
+  /// What the energy depends on the area by
+  struct Dependence {
+    double ratio; ///< J
+    Distortion::Psi psi, phi;
+  };
+
+  /// The negative eigenvalues of the flat triangle, if there are any, and their eigenvectors. The determinant of a
+  /// needle that goes far round the sphere is much smaller than its area, with which large exponents would make it so
+  /// stiff that nothing moves: where psi is smaller at the determinant, the energy is that of the determinant.
+  /// \param of_determinant  the dependence at the determinant
   /// \param squares  the sum of the squares of its singular values
   template <class Energy>
-  void analyse_flat_triangle(const Energy& energy, double source_twice_area, double squares, double lift)
+  void analyse_flat_triangle(const Energy& energy, const Dependence& of_determinant, double source_twice_area,
+                             double squares, double lift)
   {
     const vec3 first = sub(x_[1], x_[0]), second = sub(x_[2], x_[0]), area_vector = outer(first, second);
     const double absolute_area = std::sqrt(inner(area_vector, area_vector));
     if(!(absolute_area > 0))
       return;
     const double twice_area = inner(area_vector, x_[0]) < 0 ? -absolute_area : absolute_area;
-    const double inverse = 1 / source_twice_area, ratio = twice_area * inverse; // the latter is the determinant
-    const Distortion::Psi psi = energy.psi(ratio), phi = energy.phi(ratio, psi);
+    const double inverse = 1 / source_twice_area, flat_ratio = twice_area * inverse;
+    const Distortion::Psi flat_psi = energy.psi(flat_ratio);
+    const bool is_too_stiff = of_determinant.ratio > 0 && flat_psi.value > of_determinant.psi.value;
+    const auto [ratio, psi, phi] =
+      is_too_stiff ? of_determinant : Dependence{flat_ratio, flat_psi, energy.phi(flat_ratio, flat_psi)};
     const double slope = squares * psi.first + phi.first;
     const double twist = 2 * psi.value + slope, flip = 2 * psi.value - slope;
     const double mean = 2 * psi.value + 4 * ratio * psi.first + squares * (squares * psi.second + phi.second) / 2;
-    const double half =
-      std::sqrt((std::max)(0., squares * squares / 4 - ratio * ratio)); // of the difference of the squares
+    const auto half_difference = [squares](double product) { // of the squares
+      return std::sqrt((std::max)(0., squares * squares / 4 - product * product));
+    };
+    const double half = half_difference(ratio);
     const double s12 = 3 * squares * psi.first + squares * ratio * psi.second + phi.first + ratio * phi.second;
     const double s_half = -half * (squares * psi.second + phi.second);
     const double spread = std::sqrt(s_half * s_half + s12 * s12);
@@ -181,7 +196,7 @@ private:
     const vec3 large = add_scaled(scale(c, p), d, q), small = add_scaled(scale(-d, p), c, q);
 
     // The derivatives of the hat functions in the source, along its principal directions
-    const double scale_of_hats = inverse / std::sqrt(squares / 2 + half);
+    const double scale_of_hats = inverse / std::sqrt(squares / 2 + half_difference(flat_ratio));
     Planar hat[3];
     for(int k = 0; k < 3; ++k)
       hat[k] =

@@ -466,7 +466,8 @@ TEST_CASE("maps of the same shape are brought into the same position", "[align]"
 {
   const Soup soup = bumpy_sphere(3);
   const Sphere sphere = solve_or_throw(soup);
-  const Mesh mesh = make_mesh(soup);
+  const double away = GENERATE(0., 100., 1e8); // as coordinates on the earth are
+  const Mesh mesh = make_mesh(transformed(soup, [&](const Point& p) { return Point(p.x(), p.y() + away, p.z()); }));
   const auto on_sphere = of_vertex<Point>([&](Vertex v) { return sphere[v]; });
   const Locator locator(mesh, on_sphere);
   for(unsigned seed = 0; seed < 3; ++seed) {
@@ -474,7 +475,7 @@ TEST_CASE("maps of the same shape are brought into the same position", "[align]"
     // the second shape is larger and elsewhere, and its map is rotated
     Mesh other = mesh;
     for(Point& p : other.points())
-      p = Point(3 * p.x() + 7, 3 * p.y(), 3 * p.z() - 100);
+      p = Point(3 * p.x() + 7, 3 * p.y(), 3 * p.z() - away);
     const auto rotated_sphere = of_vertex<Point>([&](Vertex v) { return test::apply(rows, sphere[v]); });
     const SP::Rotation found =
       SP::aligning_rotation(locator, mesh.points(), Locator(other, rotated_sphere), other.points());

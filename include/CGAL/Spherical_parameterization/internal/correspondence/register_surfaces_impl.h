@@ -197,11 +197,8 @@ private:
     constexpr std::size_t most = 5;
     std::vector<Proposal> result = {{"coordinates", by_coordinates}};
     const std::vector<Correlation> correlations = best_correlations(loop_, b, a);
-    double constant = 0; // that no rotation changes
-    for(int k = 0; k < a.number_of_fields(); ++k)
-      constant += a(0, 0, k) * b(0, 0, k);
     for(const Correlation& c : correlations)
-      if(result.size() < most && c.value - constant >= least_share * (correlations.front().value - constant))
+      if(result.size() < most && c.value >= least_share * correlations.front().value)
         result.push_back({"features", c.rotation});
     return result;
   }

@@ -34,7 +34,7 @@ CGAL_SP_INLINE Harmonic_coefficients turned_in_space(const Harmonic_coefficients
 /// A rotation, and what it is worth.
 struct Correlation {
   Rotation rotation;
-  double value; ///< the integral over the sphere of f(x) g(R^-1 x), summed over the functions
+  double value; ///< the integral over the sphere of f(x) g(R^-1 x), summed over the functions, which have the mean 0
 };
 
 /// The rotations R for which f and g turned by R are correlated best, the best one first: of all rotations, by their

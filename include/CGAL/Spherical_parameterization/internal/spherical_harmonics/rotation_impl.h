@@ -304,7 +304,8 @@ private:
   std::vector<Complex_harmonics> f_derivative_; ///< about x, y, z
 };
 
-/// A degree that both have, and functions of size 1.
+/// A degree that both have, and functions of size 1 and mean 0: no rotation changes a mean, and beside that of a shape
+/// far from the origin rounding would hide what rotations change.
 struct Comparable {
   Harmonic_coefficients f, g;
   int exponent; ///< of the power of two that their products have to be scaled by
@@ -312,8 +313,11 @@ struct Comparable {
   Comparable(const Harmonic_coefficients& f_, const Harmonic_coefficients& g_)
     : f(with_degree(f_, (std::min)(f_.degree(), g_.degree()))), g(with_degree(g_, f.degree())), exponent(0)
   {
-    for(std::vector<double>* c : {&f.values(), &g.values()})
-      exponent += scale_to_one(c->data(), c->data() + c->size());
+    for(Harmonic_coefficients* c : {&f, &g}) {
+      for(int k = 0; k < c->number_of_fields(); ++k)
+        *c->field_begin(k) = 0;
+      exponent += scale_to_one(c->values().data(), c->values().data() + c->values().size());
+    }
   }
 };
 

@@ -67,6 +67,18 @@ TEST_CASE("eq. (2) holds with the effective weights, without fixed vertices", "[
   check_certificate(result, soup, sphere, settings);
 }
 
+TEST_CASE("a map without a step has its own energy", "[exponent]")
+{
+  const Soup soup = spiky_star(3, 1.5);
+  Settings settings = with_exponent(GENERATE(2., 2.5, 3.));
+  settings.accuracy = 1e3;
+  Sphere sphere;
+  const double energy = solve(soup, sphere, settings).energy;
+  settings.accuracy = SP::Balanced::default_accuracy;
+  settings.number_of_iterations = 0;
+  CHECK(solve(soup, sphere, settings).energy == Approx(energy));
+}
+
 TEST_CASE("for exponents above 2, fixing vertices where the free map has them changes nothing", "[exponent]")
 {
   // nothing balances the free map, so that it solves the constrained problem too

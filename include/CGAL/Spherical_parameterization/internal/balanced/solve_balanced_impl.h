@@ -182,10 +182,43 @@ Weighted_graph springs_at(const Loop& loop, const Weighted_graph& springs, doubl
   return result;
 }
 
+/// Sets residual and energy of a map to those by which the solver goes.
+template <class Backend>
+void measure_balanced(const Backend& backend, const Problem& problem, double exponent,
+                      const typename Backend::Vectors& v, Solver_report& report)
+{
+  const int n = problem.size();
+  typename Backend::Vectors g = backend.vectors(n);
+  typename Backend::Scalars density = backend.scalars(n), mass = backend.scalars(n);
+  if(exponent > 2) {
+    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
+    const Host_array<vec3>& position = backend.download(v);
+    const auto current =
+      std::make_shared<Weighted_graph>(springs_at(backend.host_loop(), *springs, exponent, position, problem.is_fixed));
+    const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));
+    report.residual = std::sqrt(backend.barycentric_residual2(pulling, v));
+    springs->inverse_diagonal = current->inverse_diagonal;
+    const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
+    report.energy = backend.gradient(matrix, exponent, v, g, density)[0] / exponent;
+    return;
+  }
+  const typename Backend::Matrix matrix = backend.upload(with_fixed_vertices(backend.host_loop(), problem));
+  const std::array<double, 4> sums = backend.gradient(matrix, 2, v, g, density);
+  report.energy = sums[0] / 2;
+  if(problem.has_fixed()) {
+    report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
+    return;
+  }
+  const Moments moments = backend.tilt_masses(density, balancing_tilt(backend.moments(density, v)), v, mass);
+  const vec3 mu = solve(boost_matrix(moments), {sums[1], sums[2], sums[3]});
+  typename Backend::Steps b = backend.steps(n); // not needed, and no step was made
+  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, g, backend.steps(n), b)[0]);
+}
+
 /// Exponents above 2: the springs stiffen as they are stretched, and the map cannot slip off along a boost any more
 /// (above the dimension 2 maps are held continuous by their energy, if the mesh is fine enough for the exponent: on
-/// coarse ones exponents below 2.1 may collapse). Nothing is balanced. The preconditioner is set up
-/// anew whenever the springs have changed much. Where faces are flipped in the end, the accuracy is tightened.
+/// coarse ones they may collapse with small exponents). Nothing is balanced. The preconditioner is set up anew whenever
+/// the springs have changed much. Where faces are flipped in the end, the accuracy is tightened.
 /// Returns whether the certificate is that of v.
 template <class Backend>
 bool solve_stiffening(const Backend& backend, const Problem& problem, double exponent, double accuracy,
@@ -226,8 +259,11 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
       }
       goal *= is_accurate ? accuracy_refinement : 0.1;
     }
-    if((made == 0 && !report.has_converged) || done >= maximum_iterations || monitor.is_interrupted())
+    if((made == 0 && !report.has_converged) || done >= maximum_iterations || monitor.is_interrupted()) {
+      if(done == 0) // no step has measured the energy
+        measure_balanced(backend, problem, exponent, v, report);
       break;
+    }
     springs->inverse_diagonal = current->inverse_diagonal;
     const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
     backend.spring_masses(backend.upload(problem.graph), v, mass);
@@ -290,39 +326,6 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, const Reject
     solution.report.has_converged = solution.report.residual <= accuracy;
   }
   return is_certified;
-}
-
-/// Sets residual and energy of a map to those by which the solver goes.
-template <class Backend>
-void measure_balanced(const Backend& backend, const Problem& problem, double exponent,
-                      const typename Backend::Vectors& v, Solver_report& report)
-{
-  const int n = problem.size();
-  typename Backend::Vectors g = backend.vectors(n);
-  typename Backend::Scalars density = backend.scalars(n), mass = backend.scalars(n);
-  if(exponent > 2) {
-    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
-    const Host_array<vec3>& position = backend.download(v);
-    const auto current =
-      std::make_shared<Weighted_graph>(springs_at(backend.host_loop(), *springs, exponent, position, problem.is_fixed));
-    const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));
-    report.residual = std::sqrt(backend.barycentric_residual2(pulling, v));
-    springs->inverse_diagonal = current->inverse_diagonal;
-    const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
-    report.energy = backend.gradient(matrix, exponent, v, g, density)[0] / exponent;
-    return;
-  }
-  const typename Backend::Matrix matrix = backend.upload(with_fixed_vertices(backend.host_loop(), problem));
-  const std::array<double, 4> sums = backend.gradient(matrix, 2, v, g, density);
-  report.energy = sums[0] / 2;
-  if(problem.has_fixed()) {
-    report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
-    return;
-  }
-  const Moments moments = backend.tilt_masses(density, balancing_tilt(backend.moments(density, v)), v, mass);
-  const vec3 mu = solve(boost_matrix(moments), {sums[1], sums[2], sums[3]});
-  typename Backend::Steps b = backend.steps(n); // not needed, and no step was made
-  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, g, backend.steps(n), b)[0]);
 }
 
 template <class Backend>

@@ -221,6 +221,16 @@ TEST_CASE("eigenpairs are of the points that the mesh had when it was read", "[s
   CHECK(pairs.value == expected.value);
 }
 
+TEST_CASE("the wave kernel signature of one eigenspace is the same at all vertices of a regular shape", "[spectrum]")
+{
+  const Surface surface = surface_of(octasphere(0));
+  const SP::Laplacian_eigenpairs pairs = spectrum_of(surface, 4); // 0, and one eigenvalue three times
+  REQUIRE(pairs.value[3] == Approx(pairs.value[1]));
+  const double area = std::accumulate(pairs.mass.begin(), pairs.mass.end(), 0.);
+  for(double value : SP::wave_kernel_signature(pairs, 3))
+    CHECK(value * area == Approx(1));
+}
+
 TEST_CASE("the energies of the wave kernel signature ascend within the spectrum, however few", "[spectrum]")
 {
   std::vector<double> value = {0};

@@ -21,11 +21,12 @@ inline std::vector<std::vector<double>> wave_kernel_filters(const std::vector<do
 {
   constexpr double widest = 0.2; // of the whole, lest few energies are all in the middle
   constexpr double largest_exponent = 700;
+  constexpr double rounding = 1e-9; // of eigenvalues that are equal: then all functions count alike
   const double least = 1e-9 * value.back();
   std::vector<double> energy;
   for(std::size_t k = 1; k < value.size(); ++k)
     energy.push_back(std::log((std::max)(value[k], least)));
-  const double width = energy.back() - energy.front();
+  const double range = energy.back() - energy.front(), width = range > rounding ? range : 0;
   const double sigma = (std::min)(widest * width, 7 * width / static_cast<double>(number));
   const double low = energy.front() + 2 * sigma, high = energy.back() - 2 * sigma;
   std::vector<std::vector<double>> filters(number);

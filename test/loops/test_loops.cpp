@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loops by parts: every index once, the order of sums fixed, up to the largest int.
 
+#include <CGAL/Spherical_parameterization/for_each_index.h>
 #include <CGAL/Spherical_parameterization/internal/loops/Host_array.h>
 #include <CGAL/Spherical_parameterization/internal/loops/host_loops.h>
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,14 @@ struct Backwards {
 };
 
 } // namespace
+
+TEST_CASE("the loop of a policy calls functions that cannot be copied", "[loops]")
+{
+  std::vector<int> calls(4, 0);
+  auto count = [&, one = std::make_unique<int>(1)](int i) { calls[static_cast<std::size_t>(i)] += *one; };
+  CGAL::Spherical_parameterization::for_each_index(CGAL::Sequential_tag(), 4, std::move(count));
+  CHECK(calls == std::vector<int>(4, 1));
+}
 
 TEST_CASE("parts reach the last index, up to the largest int", "[loops]")
 {

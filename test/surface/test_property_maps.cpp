@@ -176,6 +176,14 @@ TEST_CASE("a minimal point map replaces the points of the mesh", "[property_maps
   CHECK(distance_up_to_rotation(solve_or_throw(other, by_default()), collect(images)) > 0.01);
 }
 
+TEST_CASE("with a point map, a mesh needs no points of its own", "[property_maps]")
+{
+  struct Without_points {};
+  const double points[] = {3};
+  const auto map = SP::internal::vertex_points(Without_points(), CGAL::parameters::vertex_point_map(&points[0]));
+  CHECK(map[0] == 3);
+}
+
 TEST_CASE("minimal weight and constraint maps", "[property_maps]")
 {
   const Soup soup = bumpy_sphere(2);

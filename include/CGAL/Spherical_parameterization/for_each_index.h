@@ -18,7 +18,7 @@ namespace CGAL::Spherical_parameterization {
 template <class ExecutionPolicy, class F, internal::If_policy<ExecutionPolicy> = 0>
 void for_each_index(const ExecutionPolicy&, int count, F f)
 {
-  internal::loop_of<ExecutionPolicy>().for_each(count, f);
+  internal::loop_of<ExecutionPolicy>().for_each(count, [&f](int i) { f(i); });
 }
 
 } // namespace CGAL::Spherical_parameterization

@@ -71,8 +71,10 @@ typedef Tag_of<decltype(parameters::edge_weight_map(0))>::type edge_weight_tag;
 template <class TriangleMesh, class NamedParameters>
 auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)
 {
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, mesh));
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
+    return get_const_property_map(CGAL::vertex_point, mesh);
+  else
+    return parameters::get_parameter(np, internal_np::vertex_point);
 }
 
 } // namespace internal

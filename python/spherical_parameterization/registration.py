@@ -186,7 +186,7 @@ def moebius_centred(sphere: Sphere, triangles: npt.ArrayLike, masses: npt.ArrayL
     """Moves a map by the Moebius transformation that brings the centroid of masses to the centre of the sphere.
 
     Afterwards, all conformal maps of a shape are the same up to a rotation (A. Baden, K. Crane, M. Kazhdan, "Moebius
-    registration", 2018).
+    registration", 2018). Long faces may flip, and the smallest ones where limbs shrink: certify the result.
 
     Parameters
     ----------

@@ -272,9 +272,11 @@ Work search_work()
           "Compare QUERY with so many of the nearest meshes by registration, and order these by the distance times the "
           "difference of corresponding points")
     .in("[1,2147483647]");
-  options("--changes", own->changes,
-          "With --rerank: write QUERY with a property 'change_1', 'change_2', ... of its faces for each mesh that was "
-          "compared, in the order of the lines: how many times lengths change on the way to that mesh (.ply)");
+  options(
+    "--changes", own->changes,
+    "With --rerank: write QUERY, as it was repaired by --prepare, with a property 'change_1', 'change_2', ... of its "
+    "faces for each mesh that was compared, in the order of the lines: how many times lengths change on the way "
+    "to that mesh (.ply)");
   options("--picture", own->picture,
           "Write QUERY and the meshes that are listed side by side, each scaled to the same area, with a property "
           "'place' of the faces: 0 for QUERY, 1 for the first line, ... (.ply)");

@@ -28,7 +28,8 @@ namespace CGAL::Spherical_parameterization {
 /// \throws Error  `NON_FINITE_COORDINATE` for an image that is no direction, `BAD_WEIGHT` for a mass that is negative
 ///                or not finite, or if all are 0; nothing is written then
 ///
-/// Rounding may flip the smallest faces of a map that shrinks limbs much: certify the result.
+/// Edges are arcs of great circles, which such a transformation does not keep: it may flip long faces, and rounding the
+/// smallest ones of a map that shrinks limbs much. Certify the result.
 ///
 /// Complexity: O(n); a few steps of Newton's method.
 template <class Mesh, class VertexSphereMap, class MassMap, class CentredMap>

@@ -176,7 +176,8 @@ Result run(const ExecutionPolicy& policy, const Method& method, const NamedParam
 /// \throws std::bad_alloc  if there is not enough memory
 /// \throws OpenCL_error    if the device of an `OpenCL_device` fails
 ///
-/// Exceptions of the property maps and the callback are passed on.
+/// Exceptions of the property maps and the callback are passed on, but for an `Error` that another function of this
+/// package throws in a property map: the result then has it.
 ///
 /// Complexity: linear in memory, about 400 bytes per vertex, `Isometric` 1,000 to 1,500; `Balanced` takes as long as a
 /// few hundred applications of the Laplacian for any number of vertices.

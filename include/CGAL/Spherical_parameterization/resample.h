@@ -78,7 +78,7 @@ inline void make_icosphere_soup(int level, std::vector<std::array<double, 3>>& p
 /// \param level       of the icosphere
 /// \param out         a model of `MutableFaceGraph`, empty
 /// \param out_points  writable, key vertex_descriptor of `out`
-/// \param out_sphere  writable, likewise: the directions
+/// \param out_sphere  readable and writable, likewise: the directions
 /// \pre the level is in 0 ... `largest_icosphere_level`
 ///
 /// Complexity: 10 * 4^level + 2 queries.

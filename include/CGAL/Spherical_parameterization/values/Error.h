@@ -101,8 +101,9 @@ private:
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-/// What this package throws itself. The functions that answer with a `Result` catch this only: an `Error` that comes
-/// out of a callback or a property map goes through.
+/// What this package throws itself. The functions that answer with a `Result` catch this only: an `Error` of the
+/// caller's own, and all that comes out of a callback, goes through. What functions of this package throw in a property
+/// map does not go through.
 class Input_error : public Error {
 public:
   using Error::Error;

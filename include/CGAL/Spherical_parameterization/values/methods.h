@@ -38,8 +38,8 @@ struct Balanced {
 
   /// Exponent p >= 2 of the p-Dirichlet energy E_p = 1/p sum w_ij l_ij^2 (|v_i - v_j| / l_ij)^p, l_ij the length of the
   /// edge in the source mesh, whose area is scaled to 4 pi. 2 is the published energy. Larger exponents equalize areas
-  /// at the cost of angles, and keep thin limbs wider. On coarse meshes maps with exponents between 2 and 2.1 may
-  /// collapse to a point, with `NOT_BIJECTIVE`.
+  /// at the cost of angles, and keep thin limbs wider. On coarse meshes, and with limbs, maps with
+  /// exponents near 2 may collapse to a point, with `NOT_BIJECTIVE` or `NOT_CONVERGED`; from 3 on seldom.
   double spring_exponent = 2;
 };
 
@@ -122,7 +122,8 @@ struct Isometric {
   static constexpr std::size_t default_number_of_iterations = 20;
   /// Default of `area_exponent` without densities.
   static constexpr double default_area_exponent = 1;
-  /// Default of `area_exponent` with densities: areas are within 10 to 20 % of their targets.
+  /// Default of `area_exponent` with densities: areas are within 10 to 20 % of their targets on most meshes;
+  /// less near on coarse tubes, see `Result::density_deviation`.
   static constexpr double area_exponent_of_densities = 10;
 
   /// Weight of area against angle preservation: the exponent theta >= 0 of the area distortion in E_c E_a^theta, E_c

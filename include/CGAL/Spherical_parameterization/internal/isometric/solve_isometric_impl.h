@@ -52,8 +52,8 @@ CGAL_SP_INLINE bool has_giant_face(const Host_loop& loop, const Problem& problem
   return giants > 0;
 }
 
-/// The smaller the exponent, the more limbs shrink, on coarse levels below the resolution of doubles: then there is
-/// another map, with a larger one on these levels.
+/// The smaller the exponent, the more limbs shrink, on coarse levels below the resolution of doubles: then the map is
+/// computed again, with a larger one on these levels.
 CGAL_SP_INLINE Host_array<vec3> map_above_resolution(const Watched_loop<Host_loop>& loop, const Isometric& method,
                                                      const Problem& problem, const Effort& effort,
                                                      Coarse_to_fine_map<>::Attempt attempt, Solver_report& report)
@@ -73,7 +73,8 @@ CGAL_SP_INLINE Host_array<vec3> map_above_resolution(const Watched_loop<Host_loo
   return run();
 }
 
-/// The same. Where the map has a giant face, the better one of this and another, which is less likely to have one.
+/// As `map_above_resolution()`; where its map has a giant face, the better one of it and a second map, which is less
+/// likely to have one.
 CGAL_SP_INLINE Host_array<vec3> map_of_attempt(const Watched_loop<Host_loop>& loop, const Isometric& method,
                                                const Problem& problem, const Effort& effort,
                                                Coarse_to_fine_map<>::Attempt attempt, Solver_report& report)

@@ -607,7 +607,7 @@ TEST_CASE("many: names of outputs", "[tool][many]")
     const Process_result run = run_tool({"map", "in/a/x.off", "missing/y.off", "in/b/x.off", "-o", "out"}, here);
     CAPTURE(run.out, run.err);
     CHECK(run.exit_code == 1);
-    CHECK(run.err.find("missing/y.off: does not exist") != std::string::npos);
+    CHECK(run.out.find("missing/y.off: does not exist") != std::string::npos);
     CHECK(files_in(out).count("in/a/x.ply") + files_in(out).count("in/b/x.ply") == 2);
     CHECK(text_of(scratch / "in/a/x.ply") == "not ours");
     for(const char* folder : {"in/../in", "missing/../in", "in/missing/.."})

@@ -91,6 +91,15 @@ Figures measure(const Soup& soup, const Sphere& sphere)
 
 Figures figures_of(const Soup& soup, const Settings& settings) { return measure(soup, solve_or_throw(soup, settings)); }
 
+/// An icosphere with a neck of this width, and of half this length
+Soup dumbbell_with_neck(int level, double neck, double length)
+{
+  return transformed(icosphere(level), [=](const Point& p) {
+    const double width = neck + (1 - neck) * std::clamp((std::abs(p.z()) - 0.2) / 0.3, 0., 1.);
+    return Point(width * p.x(), width * p.y(), length * p.z());
+  });
+}
+
 } // namespace
 
 TEST_CASE("small meshes have isometric maps", "[isometric]")
@@ -184,10 +193,7 @@ TEST_CASE("no face of a dumbbell with a thin neck covers much of the sphere", "[
 {
   const double exponent = GENERATE(1., 2., 3., 10.);
   const auto [neck, length] = GENERATE(std::pair(0.035, 2.09), std::pair(0.12, 3.58), std::pair(0.3, 2.));
-  const Soup soup = transformed(icosphere(4), [neck = neck, length = length](const Point& p) {
-    const double width = neck + (1 - neck) * std::clamp((std::abs(p.z()) - 0.2) / 0.3, 0., 1.);
-    return Point(width * p.x(), width * p.y(), length * p.z());
-  });
+  const Soup soup = dumbbell_with_neck(4, neck, length);
   Settings settings = isometric();
   settings.method = SP::Isometric{exponent};
   double last = 0;
@@ -221,10 +227,7 @@ TEST_CASE("large exponents measure and fit areas by the scale of the map that th
 
 TEST_CASE("large exponents are not stuck where needles go far round the sphere", "[isometric]")
 {
-  const Soup soup = transformed(icosphere(3), [](const Point& p) {
-    const double width = 0.035 + 0.965 * std::clamp((std::abs(p.z()) - 0.2) / 0.3, 0., 1.);
-    return Point(width * p.x(), width * p.y(), 2.09 * p.z());
-  });
+  const Soup soup = dumbbell_with_neck(3, 0.035, 2.09);
   Settings settings = isometric();
   settings.method = SP::Isometric{100};
   Sphere sphere;

@@ -75,10 +75,9 @@ auto mapped_mesh(const TriangleMesh& mesh, VertexSphereMap sphere_map,
 /// \param registered  readable and writable, key vertex_descriptor of the first mesh, value constructible from three
 ///                    numbers: the registered map; may be its sphere map. It is written unless the input is refused.
 /// \param method      how far to go, and the weights
-/// \param landmarks   pairs of corresponding vertices. They are put exactly onto each other (onto the images in the
-/// second
-///                    map, scaled to length 1 in doubles), unless the first mesh is too coarse for that; with fewer
-///                    than three the rotation is found without them.
+/// \param landmarks   pairs of corresponding vertices. They are put exactly onto each other, that is, onto the images
+///                    in the second map, scaled to length 1 in doubles, unless the first mesh is too coarse for that;
+///                    with fewer than three the rotation is found without them.
 /// \param np          optional: `callback`, `maximum_running_time` and `verbose`, as in `parameterize()`
 /// \return the certificate, and what was reached; `NOT_BIJECTIVE` and the like for maps and meshes that cannot be
 ///         registered, also where a map has faces so small that it cannot be turned without losing them to rounding;

@@ -182,37 +182,16 @@ Weighted_graph springs_at(const Loop& loop, const Weighted_graph& springs, doubl
   return result;
 }
 
-/// Sets residual and energy of a map to those by which the solver goes.
+/// The energy of a map, with exponents above 2. \param current  the springs at this map
 template <class Backend>
-void measure_balanced(const Backend& backend, const Problem& problem, double exponent,
-                      const typename Backend::Vectors& v, Solver_report& report)
+double stiffening_energy(const Backend& backend, const std::shared_ptr<Weighted_graph>& springs,
+                         const Weighted_graph& current, double exponent, const typename Backend::Vectors& v)
 {
-  const int n = problem.size();
-  typename Backend::Vectors g = backend.vectors(n);
-  typename Backend::Scalars density = backend.scalars(n), mass = backend.scalars(n);
-  if(exponent > 2) {
-    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
-    const Host_array<vec3>& position = backend.download(v);
-    const auto current =
-      std::make_shared<Weighted_graph>(springs_at(backend.host_loop(), *springs, exponent, position, problem.is_fixed));
-    const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));
-    report.residual = std::sqrt(backend.barycentric_residual2(pulling, v));
-    springs->inverse_diagonal = current->inverse_diagonal;
-    const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
-    report.energy = backend.gradient(matrix, exponent, v, g, density)[0] / exponent;
-    return;
-  }
-  const typename Backend::Matrix matrix = backend.upload(with_fixed_vertices(backend.host_loop(), problem));
-  const std::array<double, 4> sums = backend.gradient(matrix, 2, v, g, density);
-  report.energy = sums[0] / 2;
-  if(problem.has_fixed()) {
-    report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
-    return;
-  }
-  const Moments moments = backend.tilt_masses(density, balancing_tilt(backend.moments(density, v)), v, mass);
-  const vec3 mu = solve(boost_matrix(moments), {sums[1], sums[2], sums[3]});
-  typename Backend::Steps b = backend.steps(n); // not needed, and no step was made
-  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, g, backend.steps(n), b)[0]);
+  springs->inverse_diagonal = current.inverse_diagonal;
+  const typename Backend::Matrix matrix = backend.upload(Shared_graph(springs));
+  typename Backend::Vectors g = backend.vectors(current.size());
+  typename Backend::Scalars density = backend.scalars(current.size());
+  return backend.gradient(matrix, exponent, v, g, density)[0] / exponent;
 }
 
 /// Exponents above 2: the springs stiffen as they are stretched, and the map cannot slip off along a boost any more
@@ -261,7 +240,7 @@ bool solve_stiffening(const Backend& backend, const Problem& problem, double exp
     }
     if((made == 0 && !report.has_converged) || done >= maximum_iterations || monitor.is_interrupted()) {
       if(done == 0) // no step has measured the energy
-        measure_balanced(backend, problem, exponent, v, report);
+        report.energy = stiffening_energy(backend, springs, *current, exponent, v);
       break;
     }
     springs->inverse_diagonal = current->inverse_diagonal;
@@ -326,6 +305,37 @@ bool solve_harmonic(const Backend& backend, const Problem& problem, const Reject
     solution.report.has_converged = solution.report.residual <= accuracy;
   }
   return is_certified;
+}
+
+/// Sets residual and energy of a map to those by which the solver goes.
+template <class Backend>
+void measure_balanced(const Backend& backend, const Problem& problem, double exponent,
+                      const typename Backend::Vectors& v, Solver_report& report)
+{
+  if(exponent > 2) {
+    const auto springs = std::make_shared<Weighted_graph>(stiffening_springs(backend.host_loop(), problem, exponent));
+    const Host_array<vec3>& position = backend.download(v);
+    const auto current =
+      std::make_shared<Weighted_graph>(springs_at(backend.host_loop(), *springs, exponent, position, problem.is_fixed));
+    const typename Backend::Matrix pulling = backend.upload(Shared_graph(current));
+    report.residual = std::sqrt(backend.barycentric_residual2(pulling, v));
+    report.energy = stiffening_energy(backend, springs, *current, exponent, v);
+    return;
+  }
+  const int n = problem.size();
+  typename Backend::Vectors g = backend.vectors(n);
+  typename Backend::Scalars density = backend.scalars(n), mass = backend.scalars(n);
+  const typename Backend::Matrix matrix = backend.upload(with_fixed_vertices(backend.host_loop(), problem));
+  const std::array<double, 4> sums = backend.gradient(matrix, 2, v, g, density);
+  report.energy = sums[0] / 2;
+  if(problem.has_fixed()) {
+    report.residual = std::sqrt(backend.barycentric_residual2(matrix, v));
+    return;
+  }
+  const Moments moments = backend.tilt_masses(density, balancing_tilt(backend.moments(density, v)), v, mass);
+  const vec3 mu = solve(boost_matrix(moments), {sums[1], sums[2], sums[3]});
+  typename Backend::Steps b = backend.steps(n); // not needed, and no step was made
+  report.residual = std::sqrt(backend.balance_gradient(matrix, mass, mu, v, g, backend.steps(n), b)[0]);
 }
 
 template <class Backend>
